@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "polygonal_perception/plane.hpp"
+
+namespace polygonal_perception {
+
+/// The transform M of section IV: from the input's frame into the floor frame, whose origin lies on the floor under the
+/// input frame's origin, whose x axis is the camera's forward direction along the floor and whose z axis is up.
+///
+/// The rotation is built from cross products of vectors that cannot be parallel, so that it exists for every floor, an
+/// exactly level one included (the paper's axis-angle form divides by zero there).
+///
+/// @param floor    unit normal, up
+/// @param forward  the camera's viewing direction in the input's frame, any length. Where it is within about 1 degree of
+///                 the floor's normal (a camera that looks straight down or up), the input axis that is nearest to
+///                 the floor plane stands in for it.
+Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward);
+
+}  // namespace polygonal_perception

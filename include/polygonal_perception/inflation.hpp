@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "polygonal_perception/binary_grid.hpp"
+#include "polygonal_perception/parameter_table.hpp"
+
+namespace polygonal_perception {
+
+/// Grows the occupied cells by the robot's radius (section IV), so that the robot can be planned for as a point.
+class Inflation
+{
+public:
+  struct Parameters
+  {
+    double robot_radius = 0.30;  ///< [m]
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("robot_radius", self.robot_radius, Range{0.0, 5.0}, "m",
+            "Radius of the robot's footprint, by which obstacles are inflated.");
+    }
+  };
+
+  explicit Inflation(const Parameters& parameters) : parameters_(parameters) {}
+  const Parameters& parameters() const { return parameters_; }
+
+  /// A cell of `inflated` is set when its square comes within robot_radius of the square of an occupied cell (closer
+  /// than it, so that a radius of 0 leaves the grid as it is). Nothing is lost at the border.
+  void inflate(const BinaryGrid& occupancy, BinaryGrid& inflated);
+
+private:
+  Parameters parameters_;
+};
+
+}  // namespace polygonal_perception

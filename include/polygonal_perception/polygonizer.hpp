@@ -1,0 +1,39 @@
+#pragma once
+
+#include "polygonal_perception/binary_grid.hpp"
+#include "polygonal_perception/parameter_table.hpp"
+#include "polygonal_perception/polygon_set.hpp"
+
+namespace polygonal_perception {
+
+/// Turns the inflated cells into few-cornered polygons (section IV) that keep the polygon contract: simple, disjoint,
+/// safe and tight.
+class Polygonizer
+{
+public:
+  struct Parameters
+  {
+    double simplification_tolerance = 0.05;  ///< [m]
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("simplification_tolerance", self.simplification_tolerance, Range{0.0, 1.0}, "m",
+            "How far a polygon may reach beyond the inflated cells to save vertices.");
+    }
+  };
+
+  explicit Polygonizer(const Parameters& parameters) : parameters_(parameters) {}
+  const Parameters& parameters() const { return parameters_; }
+
+  /// @param occupancy     the cells before inflation
+  /// @param inflated      the same grid inflated by robot_radius
+  /// @param robot_radius  [m]
+  /// @param polygons      filled anew; vertices in the floor frame [m]
+  void polygonize(const BinaryGrid& occupancy, const BinaryGrid& inflated, double robot_radius, PolygonSet& polygons);
+
+private:
+  Parameters parameters_;
+};
+
+}  // namespace polygonal_perception

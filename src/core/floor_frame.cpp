@@ -1,0 +1,28 @@
+#include "polygonal_perception/floor_frame.hpp"
+
+namespace polygonal_perception {
+
+Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward)
+{
+  constexpr double kLookingStraightDown = 0.02;  // sine of about 1 degree
+  const Eigen::Vector3d& up = floor.normal;
+  const Eigen::Vector3d direction = forward.normalized();
+  Eigen::Vector3d ahead = direction - direction.dot(up) * up;
+  // Also taken when `forward` is null or NaN.
+  if (!(ahead.norm() > kLookingStraightDown)) {
+    Eigen::Index flattest = 0;
+    up.cwiseAbs().minCoeff(&flattest);
+    ahead = Eigen::Vector3d::Unit(flattest);
+    ahead -= ahead.dot(up) * up;
+  }
+  ahead.normalize();
+
+  Eigen::Isometry3d to_floor = Eigen::Isometry3d::Identity();
+  to_floor.linear().row(0) = ahead;
+  to_floor.linear().row(1) = up.cross(ahead);
+  to_floor.linear().row(2) = up;
+  to_floor.translation() = Eigen::Vector3d(0.0, 0.0, floor.distance);
+  return to_floor;
+}
+
+}  // namespace polygonal_perception
