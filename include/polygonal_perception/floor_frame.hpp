@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
+
 #include "polygonal_perception/plane.hpp"
+#include "polygonal_perception/sample_grid.hpp"
 
 namespace polygonal_perception {
 
@@ -17,5 +20,12 @@ namespace polygonal_perception {
 ///                 the floor's normal (a camera that looks straight down or up), the input axis that is nearest to
 ///                 the floor plane stands in for it.
 Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward);
+
+/// The camera's forward direction in the input's frame: of the frame's six axis directions, those along `up` left out, the
+/// one that the samples lie along. It is z for an optical frame and x for a body frame, and nobody has to say which.
+///
+/// @param up  the initial up vector in the input's frame, any length
+/// @return a unit axis, or nothing where no sample has a point
+std::optional<Eigen::Vector3d> forwardAxis(const SampleGrid& samples, const Eigen::Vector3d& up);
 
 }  // namespace polygonal_perception

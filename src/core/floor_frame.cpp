@@ -1,5 +1,7 @@
 #include "polygonal_perception/floor_frame.hpp"
 
+#include <cmath>
+
 namespace polygonal_perception {
 
 Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward)
@@ -23,6 +25,20 @@ Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward)
   to_floor.linear().row(2) = up;
   to_floor.translation() = Eigen::Vector3d(0.0, 0.0, floor.distance);
   return to_floor;
+}
+
+std::optional<Eigen::Vector3d> forwardAxis(const SampleGrid& samples, const Eigen::Vector3d& up)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Sample& sample : samples.samples()) {
+    if (sample.has_point) sum += sample.point.cast<double>().normalized();
+  }
+  Eigen::Index vertical = 0;
+  up.cwiseAbs().maxCoeff(&vertical);
+  sum[vertical] = 0.0;
+  Eigen::Index axis = 0;
+  if (!(sum.cwiseAbs().maxCoeff(&axis) > 0.0)) return std::nullopt;
+  return Eigen::Vector3d(std::copysign(1.0, sum[axis]) * Eigen::Vector3d::Unit(axis));
 }
 
 }  // namespace polygonal_perception

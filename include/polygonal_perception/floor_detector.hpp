@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "polygonal_perception/parameter_table.hpp"
+#include "polygonal_perception/plane.hpp"
+#include "polygonal_perception/point_view.hpp"
+#include "polygonal_perception/sample_grid.hpp"
+
+namespace polygonal_perception {
+
+/// What became of a sample on the way to the floor (figure 3 of the paper).
+enum class SampleLabel : std::uint8_t {
+  kNoPoint,  ///< no return near its pixel
+  kPruned,   ///< no normal, or one that is not upright
+  kSegment,  ///< in a segment that is not the floor
+  kFloor     ///< in the floor set
+};
+
+/// A floor that was found in a frame.
+struct DetectedFloor
+{
+  Plane plane;                     ///< up normal, height of the input frame's origin above the floor
+  double rms_error = 0.0;          ///< [m] of the fitted points
+  std::uint32_t sample_count = 0;  ///< samples in the floor set
+  bool drop_in_view = false;       ///< much of the frame lies below the floor: a ledge, stairs
+  bool continued = false;          ///< it is at the height where the last floor was
+};
+
+/// What is known about the floor before a frame is looked at.
+struct FloorPrior
+{
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< the up vector u_c, unit, in the input's frame
+  bool up_is_measured = false;                    ///< `up` is a floor's normal or comes from tf, not a mere seed
+  /// [m] what the camera's height has last been, and how far it may be off by now; no value: never seen.
+  std::optional<double> height;
+  double height_tolerance = 0.0;
+  bool firm = false;  ///< seen often enough that a lower plane is a drop, rather than the floor under a table
+};
+
+/// Finds the floor plane in the samples of a frame (section III).
+class FloorDetector
+{
+public:
+  struct Parameters
+  {
+    double max_tilt = 0.78539816339744831;  ///< [rad] pi/4: a floor's normal is nearer than this to the up vector
+    double cluster_distance = 0.01;         ///< [m] tau_l of algorithm 1
+    double merge_distance = 0.1;            ///< [m] tau_h of algorithm 2
+    double replacement_factor = 20.0;       ///< algorithm 2, line 13
+    double min_camera_height = 0.05;        ///< [m]
+    double max_camera_height = 3.0;         ///< [m]
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("max_tilt", self.max_tilt, Range{0.01, 1.4}, "rad",
+            "Largest angle between the up vector and the normal of a floor.");
+      visit("cluster_distance", self.cluster_distance, Range{0.0, 1.0}, "m",
+            "Plane distance below which neighbouring samples join a segment (tau_l).");
+      visit("merge_distance", self.merge_distance, Range{0.0, 1.0}, "m",
+            "Plane distance below which segments join the floor (tau_h).");
+      visit("replacement_factor", self.replacement_factor, Range{1.0, 1000.0}, "",
+            "How many times larger a higher segment must be to replace a lower one as the floor.");
+      visit("min_camera_height", self.min_camera_height, Range{0.0, 10.0}, "m",
+            "A plane less than this below the camera is no floor.");
+      visit("max_camera_height", self.max_camera_height, Range{0.01, 20.0}, "m",
+            "A plane more than this below the camera is no floor.");
+    }
+  };
+
+  explicit FloorDetector(const Parameters& parameters);
+  FloorDetector(FloorDetector&& other) noexcept;
+  FloorDetector& operator=(FloorDetector&& other) noexcept;
+  ~FloorDetector();
+
+  const Parameters& parameters() const { return parameters_; }
+
+  /// Looks for the floor.
+  /// @return the floor, or nothing where no plane of the frame qualifies
+  std::optional<DetectedFloor> detect(const PointView& points, const SampleGrid& grid, const FloorPrior& prior);
+
+  /// What became of each sample of the last frame, in the grid's order.
+  const std::vector<SampleLabel>& labels() const { return labels_; }
+
+private:
+  struct Workspace;
+  struct Candidate;
+
+  void collectCandidates(const SampleGrid& grid, const FloorPrior& prior);
+  std::optional<Candidate> examine(const Plane& hypothesis, const FloorPrior& prior) const;
+  std::vector<Candidate>::const_iterator choose(const FloorPrior& prior) const;
+  std::optional<DetectedFloor> refine(const Candidate& candidate, const FloorPrior& prior) const;
+  void label(const SampleGrid& grid, DetectedFloor* floor);
+
+  Parameters parameters_;
+  std::vector<SampleLabel> labels_;
+  std::unique_ptr<Workspace> workspace_;  // what a frame needs while it is looked at, kept to allocate only once
+};
+
+}  // namespace polygonal_perception

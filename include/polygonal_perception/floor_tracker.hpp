@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "polygonal_perception/floor_detector.hpp"
+#include "polygonal_perception/parameter_table.hpp"
+
+namespace polygonal_perception {
+
+/// As the constants of FloorPlane.msg.
+enum class FloorStatus : std::uint8_t { kNotFound = 0, kFound = 1, kHeld = 2 };
+
+/// The floor as it stands after a frame.
+struct FloorState
+{
+  FloorStatus status = FloorStatus::kNotFound;
+  DetectedFloor floor;  ///< meaningful unless NOT_FOUND; when HELD it is that of an earlier frame
+  double age = 0.0;     ///< [s] since the floor was FOUND
+};
+
+/// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds a floor
+/// for a while when a frame does not show it, and forgets it after that.
+class FloorTracker
+{
+public:
+  struct Parameters
+  {
+    Eigen::Vector3d initial_up{0.0, -1.0, 0.0};  ///< in the input's frame, any length but 0
+    bool up_feedback = true;                     ///< the found normal is the next frame's up vector
+    double floor_timeout = 0.5;                  ///< [s] how long a floor is held
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("floor_timeout", self.floor_timeout, Range{0.0, 60.0}, "s",
+            "How long a floor that is not seen any more is held before it is given up.");
+    }
+  };
+
+  FloorTracker(const Parameters& parameters, const FloorDetector::Parameters& detector)
+    : parameters_(parameters), detector_(detector)
+  {
+  }
+
+  /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first
+  /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without up_feedback
+  const FloorState& update(const PointView& points, const SampleGrid& grid, double stamp,
+                           const std::optional<Eigen::Vector3d>& up_from_tf);
+
+  /// Takes on new parameters with the next frame and keeps the floor.
+  void configure(const Parameters& parameters, const FloorDetector::Parameters& detector);
+
+  /// Forgets everything; the next frame starts from the seed.
+  void reset();
+
+  /// Whether the next update has no floor to start from, and so wants an up vector from tf if there is one.
+  bool needsSeed() const { return state_.status == FloorStatus::kNotFound || !parameters_.up_feedback; }
+
+  const FloorState& state() const { return state_; }
+  const FloorDetector& detector() const { return detector_; }
+
+private:
+  FloorPrior prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const;
+
+  Parameters parameters_;
+  FloorDetector detector_;
+  FloorState state_;
+  std::optional<double> found_stamp_;
+  std::optional<double> last_stamp_;
+  int streak_ = 0;  // frames that showed this floor, as far as it matters
+};
+
+}  // namespace polygonal_perception
