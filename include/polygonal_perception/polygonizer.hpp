@@ -1,13 +1,15 @@
 #pragma once
 
+#include <memory>
+
 #include "polygonal_perception/binary_grid.hpp"
 #include "polygonal_perception/parameter_table.hpp"
 #include "polygonal_perception/polygon_set.hpp"
 
 namespace polygonal_perception {
 
-/// Turns the inflated cells into few-cornered polygons (section IV) that keep the polygon contract: simple, disjoint,
-/// safe and tight.
+/// Turns the inflated cells into few-cornered polygons (section IV) that keep the polygon contract: simple,
+/// disjoint, safe and tight.
 class Polygonizer
 {
 public:
@@ -23,17 +25,25 @@ public:
     }
   };
 
-  explicit Polygonizer(const Parameters& parameters) : parameters_(parameters) {}
+  explicit Polygonizer(const Parameters& parameters);
+  Polygonizer(Polygonizer&&) noexcept;
+  Polygonizer& operator=(Polygonizer&&) noexcept;
+  ~Polygonizer();
+
   const Parameters& parameters() const { return parameters_; }
 
   /// @param occupancy     the cells before inflation
   /// @param inflated      the same grid inflated by robot_radius
   /// @param robot_radius  [m]
   /// @param polygons      filled anew; vertices in the floor frame [m]
-  void polygonize(const BinaryGrid& occupancy, const BinaryGrid& inflated, double robot_radius, PolygonSet& polygons);
+  void polygonize(const BinaryGrid& occupancy, const BinaryGrid& inflated, double robot_radius,
+                  PolygonSet& polygons);
 
 private:
+  struct Workspace;
+
   Parameters parameters_;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 }  // namespace polygonal_perception
