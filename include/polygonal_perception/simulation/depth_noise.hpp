@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "polygonal_perception/parameter_table.hpp"
+#include "polygonal_perception/simulation/pinhole_camera.hpp"
+#include "polygonal_perception/simulation/ray_caster.hpp"
+
+namespace polygonal_perception {
+namespace simulation {
+
+/// Turns ideal depth into what a structured-light sensor of the PrimeSense family (Xtion, first Kinect)
+/// returns.
+///
+/// Every effect has its own switch. A frame's noise depends on the seed and the frame's number alone.
+class DepthNoise
+{
+public:
+  struct Parameters
+  {
+    double sigma_base = 0.0012;       ///< [m] sigma_z = base + quadratic (z - onset)^2
+    double sigma_quadratic = 0.0019;  ///< [1/m] 0, with sigma_base 0: no random error
+    double sigma_onset = 0.4;         ///< [m]
+    double correlation =
+        1.5;  ///< [px] standard deviation of the kernel that makes neighbours alike; 0 = white
+    double baseline = 0.075;         ///< [m] from camera to projector
+    double disparity_focal = 570.3;  ///< [px] focal length at the resolution at which the sensor matches
+    double disparity_step = 0.125;   ///< [px] 0: no steps
+    bool shadows = true;             ///< what the projector does not light has no return
+    double edge_loss = 0.5;          ///< probability that a pixel at a jump of depth has no return
+    double edge_jitter = 2.0;        ///< [px] how ragged edges are
+    double blobs = 6.0;              ///< holes a frame, on average
+    double blob_radius = 12.0;       ///< [px] at a width of 640; drawn up to twice and down to a fifth of it
+    double grazing_cosine = 0.10;    ///< surfaces seen flatter than about this have no return
+    double dark_range =
+        11.0;                ///< [m] a surface of reflectance r is seen up to this times sqrt(r); 0 = all are
+    double min_range = 0.4;  ///< [m]
+    double max_range = 8.0;  ///< [m]
+
+    /// No effect but the limits of range that the rays have anyway.
+    static Parameters none();
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("sigma_base", self.sigma_base, Range{0.0, 0.1}, "m", "Depth error at sigma_onset.");
+      visit("sigma_quadratic", self.sigma_quadratic, Range{0.0, 0.1}, "1/m",
+            "Growth of the error with depth squared.");
+      visit("sigma_onset", self.sigma_onset, Range{0.0, 5.0}, "m", "Depth from which the error grows.");
+      visit("correlation", self.correlation, Range{0.0, 8.0}, "px",
+            "Smoothness of the error across the image.");
+      visit("baseline", self.baseline, Range{0.001, 1.0}, "m", "From camera to projector.");
+      visit("disparity_focal", self.disparity_focal, Range{10.0, 5000.0}, "px",
+            "Focal length of the matcher.");
+      visit("disparity_step", self.disparity_step, Range{0.0, 4.0}, "px",
+            "Quantisation of disparity; 0 = none.");
+      visit("edge_loss", self.edge_loss, Range{0.0, 1.0}, "", "Share of the pixels at edges that are lost.");
+      visit("edge_jitter", self.edge_jitter, Range{0.0, 8.0}, "px", "Raggedness of edges.");
+      visit("blobs", self.blobs, Range{0.0, 1000.0}, "", "Holes a frame.");
+      visit("blob_radius", self.blob_radius, Range{0.0, 200.0}, "px", "Their size at a width of 640.");
+      visit("grazing_cosine", self.grazing_cosine, Range{0.0, 1.0}, "", "Flatter surfaces are lost.");
+      visit("dark_range", self.dark_range, Range{0.0, 100.0}, "m",
+            "Range on a perfectly bright surface; 0 = any.");
+      visit("min_range", self.min_range, Range{0.0, 10.0}, "m", "Nearer surfaces are lost.");
+      visit("max_range", self.max_range, Range{0.0, 1000.0}, "m", "Farther surfaces are lost.");
+    }
+  };
+
+  /// @throws std::invalid_argument, naming the parameter, when one is out of its range
+  DepthNoise(const Parameters& parameters, std::uint64_t seed);
+  const Parameters& parameters() const { return parameters_; }
+
+  /// @param frame  the frame's number; each has noise of its own
+  /// @param depth  [m], NaN where there is no return; resized if need be
+  void apply(const PinholeCamera& camera, const RayImage& image, std::uint32_t frame,
+             std::vector<float>& depth);
+
+private:
+  void drawField(const PinholeCamera& camera, std::uint64_t frame_seed);
+  void castShadows(const PinholeCamera& camera);
+  void punchBlobs(const PinholeCamera& camera, std::uint64_t frame_seed);
+  float measured(float depth, float field) const;
+  bool isEdge(const PinholeCamera& camera, std::size_t u, std::size_t v) const;
+
+  Parameters parameters_;
+  std::uint64_t seed_;
+  std::vector<float> field_;  // correlated, standard normal
+  std::vector<float> scratch_;
+  std::vector<float> disparity_;  // [px] of the ideal image, 0 = no return
+  std::vector<float> lit_;        // [px] the largest disparity in each column of the projector
+  std::vector<std::uint8_t> lost_;
+};
+
+}  // namespace simulation
+}  // namespace polygonal_perception

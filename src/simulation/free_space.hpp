@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "polygonal_perception/simulation/scene.hpp"
+
+namespace polygonal_perception {
+namespace simulation {
+
+/// Where a camera, or a robot under it, may be.
+class FreeSpace
+{
+public:
+  /// @param radius  of the robot or of the air around the camera [m]
+  /// @param low,high  heights that must be free [m]
+  FreeSpace(const Scene& scene, double radius, double low, double high);
+
+  /// On the robot's floor, and nothing nearer than the radius, nor anybody who walks, ever.
+  bool contains(const Eigen::Vector2d& point) const;
+  bool containsSegment(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
+private:
+  const Scene* scene_;
+  double radius_;
+  std::vector<Outline> occupied_;
+  std::vector<Outline> lanes_;
+};
+
+}  // namespace simulation
+}  // namespace polygonal_perception

@@ -1,0 +1,59 @@
+#include "polygonal_perception/simulation/simulated_camera.hpp"
+
+#include "polygonal_perception/simulation/random.hpp"
+
+namespace polygonal_perception {
+namespace simulation {
+
+namespace {
+
+/// Scenes and trajectories of the same seed have nothing else in common.
+std::uint64_t mixName(std::uint64_t seed, const std::string& name)
+{
+  for (const char letter : name) seed = mixBits(seed ^ static_cast<unsigned char>(letter));
+  return seed;
+}
+
+}  // namespace
+
+SimulatedCamera::SimulatedCamera(const Options& options)
+    : options_(options),
+      scene_(std::make_unique<Scene>(makeScene(options.scene, options.seed))),
+      trajectory_(makeTrajectory(options.trajectory, *scene_, mixName(options.seed, options.scene))),
+      caster_(*scene_),
+      noise_(options.noise, mixName(options.seed, options.scene + options.trajectory))
+{
+}
+
+void SimulatedCamera::render(std::uint32_t index, SimulatedFrame& frame)
+{
+  frame.index = index;
+  frame.time = index / options_.rate;
+  frame.camera_to_world = trajectory_->pose(frame.time);
+  // The floor is z = 0: the height of a point p of the camera is the third row of the transform, applied to
+  // p.
+  frame.floor.normal = frame.camera_to_world.linear().row(2);
+  frame.floor.distance = frame.camera_to_world.translation().z();
+  caster_.cast(options_.camera, frame.camera_to_world, frame.time, frame.truth);
+  noise_.apply(options_.camera, frame.truth, index, frame.depth);
+
+  std::size_t floor_pixels = 0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    floor_pixels +=
+        static_cast<std::size_t>(frame.truth.surface[i] == Surface::kFloor && frame.depth[i] > 0.0F);
+  }
+  frame.floor_fraction = static_cast<double>(floor_pixels) / static_cast<double>(frame.depth.size());
+}
+
+void toMillimetres(const std::vector<float>& depth, std::uint16_t* millimetres)
+{
+  for (const float z : depth) {
+    const float rounded = 1000.0F * z + 0.5F;
+    // Written so that NaN fails.
+    *millimetres++ =
+        rounded >= 1.0F && rounded < 65536.0F ? static_cast<std::uint16_t>(rounded) : std::uint16_t{0};
+  }
+}
+
+}  // namespace simulation
+}  // namespace polygonal_perception

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "polygonal_perception/simulation/trajectory.hpp"
+
+namespace polygonal_perception {
+namespace simulation {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+double pitchOf(const Eigen::Isometry3d& pose)
+{
+  return -std::asin(pose.linear()(2, 2));
+}
+double rollOf(const Eigen::Isometry3d& pose)
+{
+  return std::asin(pose.linear()(2, 0) / std::cos(pitchOf(pose)));
+}
+
+TEST(Trajectory, OpticalPoseOfALevelCameraLooksAlongItsHeading)
+{
+  const Eigen::Isometry3d pose = opticalPose({1, 2, 0.8}, M_PI / 2, 0.0, 0.0);
+  EXPECT_TRUE((pose * Eigen::Vector3d(0, 0, 3)).isApprox(Eigen::Vector3d(1, 5, 0.8), 1e-12)) << "forward";
+  EXPECT_TRUE((pose * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(2, 2, 0.8), 1e-12)) << "right";
+  EXPECT_TRUE((pose * Eigen::Vector3d(0, 0.8, 0)).isApprox(Eigen::Vector3d(1, 2, 0.0), 1e-12)) << "down";
+}
+
+TEST(Trajectory, PitchIsDownwards)
+{
+  const Eigen::Isometry3d pose = opticalPose({0, 0, 1}, 0.0, 45 * kDegree, 0.0);
+  EXPECT_NEAR((pose * Eigen::Vector3d(0, 0, std::sqrt(2.0))).z(), 0.0, 1e-12);
+  EXPECT_NEAR(pitchOf(opticalPose({0, 0, 1}, 2.0, 0.3, 0.1)), 0.3, 1e-12);
+  EXPECT_NEAR(std::abs(rollOf(opticalPose({0, 0, 1}, 2.0, 0.3, 0.1))), 0.1, 1e-12);
+}
+
+TEST(Trajectory, EverySceneHasRoomForEachAndNothingIsInTheCamera)
+{
+  for (const std::string& scene_name : sceneNames()) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const Scene scene = makeScene(scene_name, seed);
+      for (const std::string& name : trajectoryNames()) {
+        const std::string where = scene_name + ' ' + name + ' ' + std::to_string(seed);
+        const auto trajectory = makeTrajectory(name, scene, seed);
+        for (double time = 0.0; time < 60.0; time += 7.7) {
+          const Eigen::Vector3d camera = trajectory->pose(time).translation();
+          const Eigen::Vector2d place = camera.head<2>();
+          bool on_floor = false;
+          for (const Outline& floor : scene.floor) on_floor |= distanceTo(floor, place) == 0.0;
+          EXPECT_TRUE(on_floor) << where << " at " << camera.transpose();
+          for (const Outline& outline : scene.obstacles(time, camera.z() - 0.05, camera.z() + 0.05)) {
+            EXPECT_GT(distanceTo(outline, place), 0.1) << where << " at " << camera.transpose();
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Trajectory, RangesAreKept)
+{
+  const Scene scene = makeScene("office", 3);
+  for (const std::string name : {"smooth_low", "smooth_high", "independent_low", "independent_high"}) {
+    const auto trajectory = makeTrajectory(name, scene, 3);
+    const bool low = name.find("low") != std::string::npos;
+    double steepest = 0.0;
+    double flattest = 1.0;
+    for (int frame = 0; frame < 3000; ++frame) {
+      const Eigen::Isometry3d pose = trajectory->pose(frame / 30.0);
+      EXPECT_GE(pose.translation().z(), low ? 0.4 : 0.7);
+      EXPECT_LE(pose.translation().z(), low ? 0.7 : 1.5);
+      EXPECT_GE(pitchOf(pose), -1e-9);
+      EXPECT_LE(pitchOf(pose), 45 * kDegree + 1e-9);
+      EXPECT_LE(std::abs(rollOf(pose)), 15 * kDegree + 1e-9);
+      steepest = std::max(steepest, pitchOf(pose));
+      flattest = std::min(flattest, pitchOf(pose));
+    }
+    EXPECT_GT(steepest, 35 * kDegree) << name;
+    EXPECT_LT(flattest, 10 * kDegree) << name;
+  }
+}
+
+TEST(Trajectory, RobotsMoveAsRobotsDo)
+{
+  const Scene scene = makeScene("corridor", 4);
+  for (const std::string name : {"robotino", "nao", "smooth_low", "smooth_high"}) {
+    const auto trajectory = makeTrajectory(name, scene, 4);
+    double way = 0.0;
+    Eigen::Isometry3d last = trajectory->pose(0.0);
+    for (int frame = 1; frame < 900; ++frame) {
+      const Eigen::Isometry3d pose = trajectory->pose(frame / 30.0);
+      const double step = (pose.translation() - last.translation()).norm();
+      EXPECT_LT(step, 0.03) << name << " frame " << frame;
+      EXPECT_LT(Eigen::AngleAxisd(last.linear().transpose() * pose.linear()).angle(), 6 * kDegree) << name;
+      way += step;
+      last = pose;
+    }
+    EXPECT_GT(way, 1.0) << name;
+  }
+}
+
+TEST(Trajectory, NaoSwaysAndNods)
+{
+  const Scene scene = makeScene("corridor", 4);
+  const auto trajectory = makeTrajectory("nao", scene, 4);
+  double lowest_roll = 1.0;
+  double highest_roll = -1.0;
+  for (int frame = 0; frame < 150; ++frame) {
+    const double roll = rollOf(trajectory->pose(frame / 30.0));
+    lowest_roll = std::min(lowest_roll, roll);
+    highest_roll = std::max(highest_roll, roll);
+  }
+  EXPECT_LT(lowest_roll, -1.5 * kDegree);
+  EXPECT_GT(highest_roll, 1.5 * kDegree);
+}
+
+TEST(Trajectory, UnknownNameIsRefused)
+{
+  EXPECT_THROW(makeTrajectory("flying", makeScene("office", 1), 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace simulation
+}  // namespace polygonal_perception
