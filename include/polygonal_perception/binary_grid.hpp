@@ -19,14 +19,15 @@ struct GridParameters
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& visit)
   {
-    visit("grid_length", self.grid_length, Range{0.1, 50.0}, "m", "How far ahead of the camera the grid reaches.");
+    visit("grid_length", self.grid_length, Range{0.1, 50.0}, "m",
+          "How far ahead of the camera the grid reaches.");
     visit("grid_width", self.grid_width, Range{0.1, 50.0}, "m", "Width of the grid, centred on the camera.");
     visit("grid_resolution", self.grid_resolution, Range{0.005, 1.0}, "m", "Side of a grid cell.");
   }
 };
 
-/// Where the cells of a grid lie in the floor frame. Cell (i, j) covers [i, i + 1) x [j, j + 1) times the resolution,
-/// from (origin_x, origin_y); i counts along x (ahead), j along y (left).
+/// Where the cells of a grid lie in the floor frame. Cell (i, j) covers [i, i + 1) x [j, j + 1) times the
+/// resolution, from (origin_x, origin_y); i counts along x (ahead), j along y (left).
 struct GridGeometry
 {
   int cells_x = 0;
@@ -36,7 +37,8 @@ struct GridGeometry
   double origin_y = 0.0;     ///< [m]
 
   GridGeometry() = default;
-  /// The fewest cells that cover length x width; a length that is a whole number of cells takes just that many.
+  /// The fewest cells that cover length x width; a length that is a whole number of cells takes just that
+  /// many.
   explicit GridGeometry(const GridParameters& parameters);
 
   std::size_t size() const { return static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y); }
@@ -48,8 +50,8 @@ struct GridGeometry
   bool operator!=(const GridGeometry& other) const { return !(*this == other); }
 };
 
-/// A grid of cells that are occupied (1) or free (0), in the row-major order of nav_msgs/OccupancyGrid: a row runs
-/// along x.
+/// A grid of cells that are occupied (1) or free (0), in the row-major order of nav_msgs/OccupancyGrid: a row
+/// runs along x.
 class BinaryGrid
 {
 public:
@@ -80,7 +82,8 @@ public:
 private:
   std::size_t index(int i, int j) const
   {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(geometry_.cells_x) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(geometry_.cells_x) +
+           static_cast<std::size_t>(i);
   }
 
   GridGeometry geometry_;

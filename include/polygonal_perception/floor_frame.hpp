@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
 #include <optional>
 
 #include "polygonal_perception/plane.hpp"
@@ -9,20 +8,23 @@
 
 namespace polygonal_perception {
 
-/// The transform M of section IV: from the input's frame into the floor frame, whose origin lies on the floor under the
-/// input frame's origin, whose x axis is the camera's forward direction along the floor and whose z axis is up.
+/// The transform M of section IV: from the input's frame into the floor frame, whose origin lies on the floor
+/// under the input frame's origin, whose x axis is the camera's forward direction along the floor and whose z
+/// axis is up.
 ///
-/// The rotation is built from cross products of vectors that cannot be parallel, so that it exists for every floor, an
-/// exactly level one included (the paper's axis-angle form divides by zero there).
+/// The rotation is built from cross products of vectors that cannot be parallel, so that it exists for every
+/// floor, an exactly level one included (the paper's axis-angle form divides by zero there).
 ///
 /// @param floor    unit normal, up
-/// @param forward  the camera's viewing direction in the input's frame, any length. Where it is within about 1 degree of
-///                 the floor's normal (a camera that looks straight down or up), the input axis that is nearest to
-///                 the floor plane stands in for it.
+/// @param forward  the camera's viewing direction in the input's frame, any length. Where it is within about
+/// 1 degree of
+///                 the floor's normal (a camera that looks straight down or up), the input axis that is
+///                 nearest to the floor plane stands in for it.
 Eigen::Isometry3d floorFrame(const Plane& floor, const Eigen::Vector3d& forward);
 
-/// The camera's forward direction in the input's frame: of the frame's six axis directions, those along `up` left out, the
-/// one that the samples lie along. It is z for an optical frame and x for a body frame, and nobody has to say which.
+/// The camera's forward direction in the input's frame: of the frame's six axis directions, those along `up`
+/// left out, the one that the samples lie along. It is z for an optical frame and x for a body frame, and
+/// nobody has to say which.
 ///
 /// @param up  the initial up vector in the input's frame, any length
 /// @return a unit axis, or nothing where no sample has a point

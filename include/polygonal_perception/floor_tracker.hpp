@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "polygonal_perception/floor_detector.hpp"
@@ -10,7 +12,12 @@
 namespace polygonal_perception {
 
 /// As the constants of FloorPlane.msg.
-enum class FloorStatus : std::uint8_t { kNotFound = 0, kFound = 1, kHeld = 2 };
+enum class FloorStatus : std::uint8_t
+{
+  kNotFound = 0,
+  kFound = 1,
+  kHeld = 2
+};
 
 /// The floor as it stands after a frame.
 struct FloorState
@@ -20,8 +27,8 @@ struct FloorState
   double age = 0.0;     ///< [s] since the floor was FOUND
 };
 
-/// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds a floor
-/// for a while when a frame does not show it, and forgets it after that.
+/// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds
+/// a floor for a while when a frame does not show it, and forgets it after that.
 class FloorTracker
 {
 public:
@@ -40,12 +47,13 @@ public:
   };
 
   FloorTracker(const Parameters& parameters, const FloorDetector::Parameters& detector)
-    : parameters_(parameters), detector_(detector)
+      : parameters_(parameters), detector_(detector)
   {
   }
 
   /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first
-  /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without up_feedback
+  /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without
+  /// up_feedback
   const FloorState& update(const PointView& points, const SampleGrid& grid, double stamp,
                            const std::optional<Eigen::Vector3d>& up_from_tf);
 
@@ -62,6 +70,14 @@ public:
   const FloorDetector& detector() const { return detector_; }
 
 private:
+  /// A level plane that was seen with the floor and is not it.
+  struct OtherPlane
+  {
+    double offset = 0.0;                                      // [m] above the floor
+    double stamp = -std::numeric_limits<double>::infinity();  // [s] when it was last seen
+  };
+
+  void remember(const DetectedFloor& floor, double stamp);
   FloorPrior prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const;
 
   Parameters parameters_;
@@ -69,6 +85,7 @@ private:
   FloorState state_;
   std::optional<double> found_stamp_;
   std::optional<double> last_stamp_;
+  std::array<OtherPlane, 8> others_{};
   int streak_ = 0;  // frames that showed this floor, as far as it matters
 };
 

@@ -13,20 +13,22 @@ struct Range
 
 /// How every stage describes its parameters, once, for everybody who needs to know them.
 ///
-/// A stage's `Parameters` struct holds the defaults as member initialisers and has one static function template
+/// A stage's `Parameters` struct holds the defaults as member initialisers and has one static function
+/// template
 ///
 ///     template <class Self, class Visitor>
 ///     static void describe(Self& self, Visitor&& visit);
 ///
-/// that calls `visit(name, self.member, Range{min, max}, unit, help)` for each member. The ROS side reads, checks,
-/// reconfigures and documents parameters through it; names are unique across all stages.
+/// that calls `visit(name, self.member, Range{min, max}, unit, help)` for each member. The ROS side reads,
+/// checks, reconfigures and documents parameters through it; names are unique across all stages.
 ///
 /// `check` is the visitor that the core itself uses: it remembers the first parameter out of its range.
 class RangeCheck
 {
 public:
   template <class T>
-  void operator()(const char* name, const T& value, const Range& range, const char* /*unit*/, const char* /*help*/)
+  void operator()(const char* name, const T& value, const Range& range, const char* /*unit*/,
+                  const char* /*help*/)
   {
     const auto number = static_cast<double>(value);
     // Written so that NaN fails.

@@ -67,7 +67,13 @@ public:
   };
 
   /// How far down the pipeline a frame is followed; what is not asked for costs nothing.
-  enum class Goal { kFloor, kOccupancy, kInflation, kPolygons };
+  enum class Goal
+  {
+    kFloor,
+    kOccupancy,
+    kInflation,
+    kPolygons
+  };
 
   /// What a frame gave. It lives in the pipeline until the next frame.
   struct Result

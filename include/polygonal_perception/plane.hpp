@@ -4,8 +4,8 @@
 
 namespace polygonal_perception {
 
-/// An oriented plane, normal . p + distance = 0. As a floor its normal points up and its distance is the height of the
-/// origin of the points' frame above it.
+/// An oriented plane, normal . p + distance = 0. As a floor its normal points up and its distance is the
+/// height of the origin of the points' frame above it.
 struct Plane
 {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit length

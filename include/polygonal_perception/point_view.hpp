@@ -9,8 +9,8 @@
 
 namespace polygonal_perception {
 
-/// The viewing rays of a pinhole camera without distortion, one entry a column and one a row, so that a depth image
-/// turns into points with two multiplications: p = z (column_slope[u], row_slope[v], 1).
+/// The viewing rays of a pinhole camera without distortion, one entry a column and one a row, so that a depth
+/// image turns into points with two multiplications: p = z (column_slope[u], row_slope[v], 1).
 ///
 /// Made anew only when the camera's calibration or the image's size changes.
 struct PinholeRays
@@ -19,7 +19,8 @@ struct PinholeRays
   std::vector<float> row_slope;     ///< (v - cy) / fy
 
   /// @param fx,fy,cx,cy  intrinsics [px]; fx and fy must be positive and finite
-  static PinholeRays make(std::uint32_t width, std::uint32_t height, double fx, double fy, double cx, double cy)
+  static PinholeRays make(std::uint32_t width, std::uint32_t height, double fx, double fy, double cx,
+                          double cy)
   {
     PinholeRays rays;
     rays.column_slope.resize(width);
@@ -31,17 +32,19 @@ struct PinholeRays
 };
 
 /// How the points of an organised frame lie in memory.
-enum class PointLayout : std::uint8_t {
-  kCloud,            ///< float32 x, y, z at fixed offsets in each point
-  kDepthMillimetres, ///< uint16 depth along the optical axis [mm], 0 = no return
-  kDepthMetres       ///< float32 depth along the optical axis [m], NaN or <= 0 = no return
+enum class PointLayout : std::uint8_t
+{
+  kCloud,             ///< float32 x, y, z at fixed offsets in each point
+  kDepthMillimetres,  ///< uint16 depth along the optical axis [mm], 0 = no return
+  kDepthMetres        ///< float32 depth along the optical axis [m], NaN or <= 0 = no return
 };
 
-/// A view onto an organised frame of points. It copies and owns nothing: the memory (and the rays) must outlive it.
+/// A view onto an organised frame of points. It copies and owns nothing: the memory (and the rays) must
+/// outlive it.
 ///
-/// Nothing else in the package knows how points lie in memory. Points are given in the input's frame in metres; a
-/// pixel without a return has at least one NaN coordinate. A depth image's points are in an optical frame (x right,
-/// y down, z forward); a cloud's are in whatever frame its publisher chose.
+/// Nothing else in the package knows how points lie in memory. Points are given in the input's frame in
+/// metres; a pixel without a return has at least one NaN coordinate. A depth image's points are in an optical
+/// frame (x right, y down, z forward); a cloud's are in whatever frame its publisher chose.
 class PointView
 {
 public:
@@ -58,14 +61,16 @@ public:
   PointView() = default;
 
   /// A view onto a PointCloud2's data: any offsets and steps, little-endian float32. No alignment is assumed.
-  static PointView cloud(const void* data, std::uint32_t width, std::uint32_t height, const CloudStrides& strides)
+  static PointView cloud(const void* data, std::uint32_t width, std::uint32_t height,
+                         const CloudStrides& strides)
   {
     PointView view(data, width, height, PointLayout::kCloud);
     view.strides_ = strides;
     return view;
   }
 
-  /// A view onto an organised array of points with public members x, y, z, such as pcl::PointCloud<T>::points.
+  /// A view onto an organised array of points with public members x, y, z, such as
+  /// pcl::PointCloud<T>::points.
   template <class Point>
   static PointView points(const Point* data, std::uint32_t width, std::uint32_t height)
   {
@@ -118,11 +123,12 @@ public:
 
 private:
   PointView(const void* data, std::uint32_t width, std::uint32_t height, PointLayout layout)
-    : data_(static_cast<const std::uint8_t*>(data)), width_(width), height_(height), layout_(layout)
+      : data_(static_cast<const std::uint8_t*>(data)), width_(width), height_(height), layout_(layout)
   {
   }
 
-  static PointView depthImage(const void* data, std::size_t row_step, const PinholeRays& rays, PointLayout layout)
+  static PointView depthImage(const void* data, std::size_t row_step, const PinholeRays& rays,
+                              PointLayout layout)
   {
     PointView view(data, static_cast<std::uint32_t>(rays.column_slope.size()),
                    static_cast<std::uint32_t>(rays.row_slope.size()), layout);
@@ -133,7 +139,8 @@ private:
 
   static std::size_t byteOffset(const void* from, const void* to)
   {
-    return static_cast<std::size_t>(static_cast<const std::uint8_t*>(to) - static_cast<const std::uint8_t*>(from));
+    return static_cast<std::size_t>(static_cast<const std::uint8_t*>(to) -
+                                    static_cast<const std::uint8_t*>(from));
   }
 
   template <class T>

@@ -32,7 +32,8 @@ public:
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
     {
-      visit("samples_x", self.samples_x, Range{4, 256}, "", "Samples of the floor detector across the image.");
+      visit("samples_x", self.samples_x, Range{4, 256}, "",
+            "Samples of the floor detector across the image.");
       visit("samples_y", self.samples_y, Range{4, 256}, "", "Samples of the floor detector down the image.");
     }
   };
@@ -42,10 +43,10 @@ public:
 
   /// Takes the samples of a frame anew; nothing of the last frame is left.
   ///
-  /// A sample whose pixel has no return takes the nearest pixel with one, at most a quarter of the sample spacing away.
-  /// Normals follow eq. 2 from the neighbours in the grid; where one is missing the one-sided difference stands in, and
-  /// where a direction has no usable pair the sample has no normal. Images smaller than the grid are sampled with
-  /// fewer samples, one a pixel.
+  /// A sample whose pixel has no return takes the nearest pixel with one, at most a quarter of the sample
+  /// spacing away. Normals follow eq. 2 from the neighbours in the grid; where one is missing the one-sided
+  /// difference stands in, and where a direction has no usable pair the sample has no normal. Images smaller
+  /// than the grid are sampled with fewer samples, one a pixel.
   void update(const PointView& points);
 
   int samplesX() const { return samples_x_; }

@@ -16,10 +16,10 @@ int cellsToCover(double length, double resolution)
 }  // namespace
 
 GridGeometry::GridGeometry(const GridParameters& parameters)
-  : cells_x(cellsToCover(parameters.grid_length, parameters.grid_resolution)),
-    cells_y(cellsToCover(parameters.grid_width, parameters.grid_resolution)),
-    resolution(parameters.grid_resolution),
-    origin_y(-0.5 * cells_y * parameters.grid_resolution)
+    : cells_x(cellsToCover(parameters.grid_length, parameters.grid_resolution)),
+      cells_y(cellsToCover(parameters.grid_width, parameters.grid_resolution)),
+      resolution(parameters.grid_resolution),
+      origin_y(-0.5 * cells_y * parameters.grid_resolution)
 {
 }
 

@@ -2,7 +2,8 @@
 
 namespace polygonal_perception {
 
-/// Standard deviation of a structured-light camera's depth at a range [m]: 1.2 mm at 0.4 m, growing with its square.
+/// Standard deviation of a structured-light camera's depth at a range [m]: 1.2 mm at 0.4 m, growing with its
+/// square.
 inline float depthNoise(float range)
 {
   constexpr float kNearest = 0.4F;

@@ -1,20 +1,22 @@
 #include "polygonal_perception/floor_tracker.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polygonal_perception {
 
 namespace {
 
+constexpr double kHeightTolerance = 0.06;  // [m] from one frame to the next
+constexpr double kVerticalSpeed = 0.1;     // [m/s]
 /// How long after it was last seen the floor's height still says something about the camera's.
-constexpr double kHeightMemory = 3.0;         // [s]
-constexpr double kHeightTolerance = 0.06;     // [m] from one frame to the next
-constexpr double kVerticalSpeed = 0.5;        // [m/s] of a camera in somebody's hand
-/// A drop was in view with the last floor: what lies there is still no floor when the robot's own is out of view.
-constexpr double kHeightMemoryAtDrop = 20.0;  // [s]
-constexpr double kVerticalSpeedAtDrop = 0.1;  // [m/s]
+constexpr double kHeightMemory = 3.0;  // [s]
+/// The same for a lower storey: the robot may stand at its edge and look down for a while.
+constexpr double kDropMemory = 20.0;  // [s]
+/// Offsets nearer than this are those of one plane.
+constexpr double kSameOffset = 0.1;  // [m]
 /// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
-constexpr int kFirmAfter = 3;
+constexpr int kFirmAfter = 5;
 
 }  // namespace
 
@@ -30,6 +32,7 @@ void FloorTracker::reset()
   found_stamp_.reset();
   last_stamp_.reset();
   streak_ = 0;
+  others_.fill(OtherPlane{});
 }
 
 FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const
@@ -48,13 +51,33 @@ FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d
   if (!found_stamp_) return prior;
 
   const double unseen = stamp - *found_stamp_;
-  const bool at_drop = state_.floor.drop_in_view;
-  if (unseen < (at_drop ? kHeightMemoryAtDrop : kHeightMemory)) {
+  for (const OtherPlane& other : others_) {
+    if (stamp - other.stamp < (other.offset < 0.0 ? kDropMemory : kHeightMemory))
+      prior.others.add(other.offset);
+  }
+  if (unseen < kHeightMemory || prior.others.begin() != prior.others.end()) {
     prior.height = state_.floor.plane.distance;
-    prior.height_tolerance = kHeightTolerance + (at_drop ? kVerticalSpeedAtDrop : kVerticalSpeed) * unseen;
-    prior.firm = streak_ >= kFirmAfter;
+    prior.height_tolerance = kHeightTolerance + kVerticalSpeed * unseen;
+    prior.firm = streak_ >= kFirmAfter && known;
   }
   return prior;
+}
+
+void FloorTracker::remember(const DetectedFloor& floor, double stamp)
+{
+  streak_ = floor.continued ? std::min(streak_ + 1, kFirmAfter) : 1;
+  for (const double offset : floor.others) {
+    auto same = std::find_if(others_.begin(), others_.end(), [&](const OtherPlane& other) {
+      return std::abs(other.offset - offset) < kSameOffset;
+    });
+    if (same == others_.end()) {
+      same = std::min_element(others_.begin(), others_.end(),
+                              [](const OtherPlane& a, const OtherPlane& b) { return a.stamp < b.stamp; });
+    }
+    *same = {offset, stamp};
+  }
+  state_ = {FloorStatus::kFound, floor, 0.0};
+  found_stamp_ = stamp;
 }
 
 const FloorState& FloorTracker::update(const PointView& points, const SampleGrid& grid, double stamp,
@@ -68,9 +91,7 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
   }
 
   if (const auto floor = detector_.detect(points, grid, prior(stamp, up_from_tf))) {
-    streak_ = floor->continued ? std::min(streak_ + 1, kFirmAfter) : 1;
-    state_ = {FloorStatus::kFound, *floor, 0.0};
-    found_stamp_ = stamp;
+    remember(*floor, stamp);
   } else if (state_.status != FloorStatus::kNotFound) {
     state_.status = FloorStatus::kHeld;
     state_.age = stamp - *found_stamp_;

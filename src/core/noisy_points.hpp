@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "plane_fit.hpp"
@@ -9,21 +11,21 @@
 
 namespace polygonal_perception {
 
-/// Points of a depth camera with what is known of their noise, laid out so that all of them can be held against a plane
-/// in one sweep.
+/// Points of a depth camera with what is known of their noise, laid out so that all of them can be held
+/// against a plane in one sweep. A point may be NaN; it lies on no plane and below none.
 ///
-/// Depth noise moves a point along its viewing ray, so its height above a plane errs by only the part of that which is
-/// along the normal: on a floor seen at a grazing angle a small one.
+/// Depth noise moves a point along its viewing ray, so its height above a plane errs by only the part of that
+/// which is along the normal: on a floor seen at a grazing angle a small one.
 class NoisyPoints
 {
 public:
   /// How far from a plane a point may lie and still count as one of it.
   struct Band
   {
-    float base;        ///< [m]
-    float sigmas;      ///< times the standard deviation of its height
-    float per_metre;   ///< [m/m] times its range: lens distortion bends far floors
-    float widest;      ///< [m]
+    float base;       ///< [m]
+    float sigmas;     ///< times the standard deviation of its height
+    float per_metre;  ///< [m/m] times its range: lens distortion bends far floors
+    float widest;     ///< [m]
   };
 
   /// How the points lie about a plane.
@@ -34,26 +36,50 @@ public:
   };
 
   void clear();
-  void reserve(std::size_t count);
   void add(const Eigen::Vector3f& point);
   std::size_t size() const { return x_.size(); }
 
-  /// Counts the points on and below a plane.
-  Tally tally(const Plane& plane, const Band& band) const;
+  /// Holds all points against a plane. What follows speaks of this plane and band until the next call.
+  void compare(const Plane& plane, const Band& band);
 
-  /// Collects the points in the band about a plane, each weighted by the inverse variance of its height.
-  PlaneFit fit(const Plane& plane, const Band& band) const;
+  /// Whether point k lies in the band.
+  bool on(std::size_t k) const { return on_[k] != 0; }
 
-  Eigen::Vector3f point(std::size_t k) const { return {x_[k], y_[k], z_[k]}; }
-  float range(std::size_t k) const { return range_[k]; }
-  /// Standard deviation of the point's depth over its range.
-  float relativeNoise(std::size_t k) const { return relative_noise_[k]; }
+  /// Counts the points in the band and below the plane.
+  Tally tally() const;
 
-  /// Whether point k lies in the band about a plane.
-  bool on(std::size_t k, const Plane& plane, const Band& band) const;
+  /// Whether the surface between points k and neighbour runs along the plane rather than across it. A
+  /// neighbour without a return says nothing against it.
+  bool runsAlong(std::size_t k, std::size_t neighbour) const;
+
+  /// Collects accepted points in the band, each weighted by the inverse variance of its height.
+  /// @param accept  called with the index of a point in the band
+  /// @param enough  of a band that holds more points than twice this, only every second, third, ... is taken
+  template <class Accept>
+  PlaneFit fit(Accept&& accept, std::size_t enough) const
+  {
+    PlaneFit fit;
+    const std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / enough);
+    std::size_t skip = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      if (!on(k) || skip-- != 0) continue;
+      skip = step - 1;
+      if (accept(k)) fit.add(x_[k], y_[k], z_[k], weight(k));
+    }
+    return fit;
+  }
 
 private:
-  std::vector<float> x_, y_, z_, range_, relative_noise_;
+  float weight(std::size_t k) const;
+  void measure();
+
+  std::vector<float> x_, y_, z_;
+  std::vector<float> range_, relative_noise_;  // [m], and standard deviation of the depth over the range
+  // What the last comparison gave.
+  float camera_height_ = 0.0F;
+  std::vector<float> height_;
+  std::vector<std::int32_t> on_;
+  std::vector<std::int32_t> below_;
 };
 
 }  // namespace polygonal_perception

@@ -18,12 +18,12 @@ StageTimes::Duration timed(Stage&& stage)
 }  // namespace
 
 Pipeline::Pipeline(const Parameters& parameters)
-  : parameters_(parameters),
-    samples_(parameters.samples),
-    tracker_(parameters.tracker, parameters.detector),
-    projection_(parameters.projection),
-    inflation_(parameters.inflation),
-    polygonizer_(parameters.polygonizer)
+    : parameters_(parameters),
+      samples_(parameters.samples),
+      tracker_(parameters.tracker, parameters.detector),
+      projection_(parameters.projection),
+      inflation_(parameters.inflation),
+      polygonizer_(parameters.polygonizer)
 {
 }
 
@@ -36,8 +36,8 @@ const Pipeline::Result& Pipeline::process(const Frame& frame, Goal goal)
   result_.polygons.clear();
 
   result_.times.samples = timed([&] { samples_.update(frame.points); });
-  result_.times.floor = timed(
-      [&] { result_.floor = tracker_.update(frame.points, samples_, frame.stamp, frame.up_from_tf); });
+  result_.times.floor =
+      timed([&] { result_.floor = tracker_.update(frame.points, samples_, frame.stamp, frame.up_from_tf); });
   if (!forward_) forward_ = forwardAxis(samples_, parameters_.tracker.initial_up);
   if (result_.floor.status == FloorStatus::kNotFound || !forward_) return result_;
   result_.to_floor_frame = floorFrame(result_.floor.floor.plane, *forward_);

@@ -8,8 +8,8 @@
 
 namespace polygonal_perception {
 
-/// Weighted total least squares fit of a plane: collects points, then gives the plane that has the least weighted sum of
-/// squared distances from them.
+/// Weighted total least squares fit of a plane: collects points, then gives the plane that has the least
+/// weighted sum of squared distances from them.
 class PlaneFit
 {
 public:
@@ -17,13 +17,15 @@ public:
   {
     Plane plane;
     double rms_error = 0.0;  ///< [m] weighted root mean square distance
-    /// [rad] how far the normal may be off, one standard deviation, when `independence` of the points are independent.
+    /// [rad] how far the normal may be off, one standard deviation, when `independence` of the points are
+    /// independent.
     double normal_sigma = 0.0;
   };
 
   void add(float x, float y, float z, float weight)
   {
-    // Sums are taken about the first point: about the origin the spread of far points would drown in rounding.
+    // Sums are taken about the first point: about the origin the spread of far points would drown in
+    // rounding.
     if (count_ == 0) origin_ = {x, y, z};
     const double dx = x - origin_.x();
     const double dy = y - origin_.y();

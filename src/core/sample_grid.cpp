@@ -13,7 +13,8 @@ namespace {
 /// The pixel of sample i of n that are spread over a side of the image, its first and last pixel included.
 std::uint32_t pixelOf(int i, int n, std::uint32_t side)
 {
-  return n > 1 ? static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (side - 1) / (n - 1))) : side / 2;
+  return n > 1 ? static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (side - 1) / (n - 1)))
+               : side / 2;
 }
 
 bool isReturn(const Eigen::Vector3f& p)
@@ -23,8 +24,9 @@ bool isReturn(const Eigen::Vector3f& p)
   return std::abs(p.x()) + std::abs(p.y()) + std::abs(p.z()) < kFarthest;
 }
 
-/// The change of the surface along one direction of the grid: the central difference, unless a depth edge lies on one
-/// side (the steps differ too much) or a neighbour is missing; then the one-sided difference to the nearer neighbour.
+/// The change of the surface along one direction of the grid: the central difference, unless a depth edge
+/// lies on one side (the steps differ too much) or a neighbour is missing; then the one-sided difference to
+/// the nearer neighbour.
 bool difference(const Sample* before, const Sample& here, const Sample* after, Eigen::Vector3f& step)
 {
   constexpr float kEdge = 2.5F * 2.5F;  // squared ratio of the steps' lengths
@@ -42,7 +44,8 @@ bool difference(const Sample* before, const Sample& here, const Sample* after, E
       step = after->point - before->point;
     }
   } else {
-    step = has_after ? Eigen::Vector3f(after->point - here.point) : Eigen::Vector3f(here.point - before->point);
+    step =
+        has_after ? Eigen::Vector3f(after->point - here.point) : Eigen::Vector3f(here.point - before->point);
   }
   return true;
 }
@@ -101,11 +104,15 @@ void SampleGrid::computeNormals()
       if (!sample->has_point) continue;
       Eigen::Vector3f across;
       Eigen::Vector3f down;
-      if (!difference(i > 0 ? sample - 1 : nullptr, *sample, i + 1 < samples_x_ ? sample + 1 : nullptr, across)) continue;
-      if (!difference(j > 0 ? sample - stride : nullptr, *sample, j + 1 < samples_y_ ? sample + stride : nullptr, down)) {
+      if (!difference(i > 0 ? sample - 1 : nullptr, *sample, i + 1 < samples_x_ ? sample + 1 : nullptr,
+                      across))
+        continue;
+      if (!difference(j > 0 ? sample - stride : nullptr, *sample,
+                      j + 1 < samples_y_ ? sample + stride : nullptr, down)) {
         continue;
       }
-      // Right x down points away from the camera, whatever the axes of the input's frame; hence the sign of eq. 2.
+      // Right x down points away from the camera, whatever the axes of the input's frame; hence the sign of
+      // eq. 2.
       const Eigen::Vector3f normal = down.cross(across);
       const float length = normal.norm();
       if (!(length > 0.0F)) continue;

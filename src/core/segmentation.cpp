@@ -57,7 +57,8 @@ void Segmentation::flood(const SampleGrid& grid, std::uint32_t seed, float clust
     const std::uint32_t here = members_[next];
     const auto visit = [&](std::uint32_t there) {
       if (segment_of_[there] != kUpright) return;
-      const float threshold = std::max(cluster_distance, kNoiseFactor * (height_noise_[here] + height_noise_[there]));
+      const float threshold =
+          std::max(cluster_distance, kNoiseFactor * (height_noise_[here] + height_noise_[there]));
       if (!(planeDistance(samples[here], samples[there]) < threshold)) return;
       segment_of_[there] = id;
       members_.push_back(there);

@@ -21,10 +21,13 @@ public:
   static constexpr int kNone = -1;
 
   /// @param up                unit up vector
-  /// @param least_upright     cosine of the largest angle between `up` and the normal of an upright sample (eq. 3)
-  /// @param cluster_distance  [m] tau_l, the least threshold of the plane distance (eq. 5); the samples' depth noise
+  /// @param least_upright     cosine of the largest angle between `up` and the normal of an upright sample
+  /// (eq. 3)
+  /// @param cluster_distance  [m] tau_l, the least threshold of the plane distance (eq. 5); the samples'
+  /// depth noise
   ///                          raises it where they are far away
-  void segment(const SampleGrid& grid, const Eigen::Vector3f& up, float least_upright, float cluster_distance);
+  void segment(const SampleGrid& grid, const Eigen::Vector3f& up, float least_upright,
+               float cluster_distance);
 
   const std::vector<Segment>& segments() const { return segments_; }
   /// Indices into the grid's samples, segment by segment.
