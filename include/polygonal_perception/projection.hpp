@@ -10,16 +10,16 @@
 
 namespace polygonal_perception {
 
-/// Transforms every point of a frame into the floor frame and marks the cells of the grid in which something
-/// stands (section IV).
+/// Transforms every point of a frame into the floor frame and marks the cells of the grid in which something stands
+/// (section IV).
 class Projection
 {
 public:
   struct Parameters
   {
-    double min_height = 0.03;     ///< [m] lower points are floor
-    double max_height = 0.60;     ///< [m] higher points are nothing the robot could touch
-    int min_points_per_cell = 1;  ///< a cell with fewer points stays free
+    double min_height = 0.03;      ///< [m] lower points are floor
+    double max_height = 0.60;      ///< [m] higher points are nothing the robot could touch
+    int min_points_per_cell = 1;   ///< a cell with fewer points stays free
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
@@ -35,8 +35,7 @@ public:
   explicit Projection(const Parameters& parameters) : parameters_(parameters) {}
   const Parameters& parameters() const { return parameters_; }
 
-  /// Marks the cells that hold at least min_points_per_cell points p with min_height <= height(p) <=
-  /// max_height.
+  /// Marks the cells that hold at least min_points_per_cell points p with min_height <= height(p) <= max_height.
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew

@@ -4,8 +4,7 @@
 
 namespace polygonal_perception {
 
-void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy)
+void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy)
 {
   const GridGeometry geometry = occupancy.geometry();
   occupancy.reset(geometry);
