@@ -118,7 +118,7 @@ void DepthNoise::apply(const PinholeCamera& camera, const RayImage& image, std::
         from = move(bits >> 40, v, camera.height) * camera.width + move(bits >> 20, u, camera.width);
       }
       const float z = image.depth[from];
-      const float chance = 1.0F + 0.25F * field_[(i + shift) % size];
+      const float chance = 1.0F + 0.25F * field_[i + shift < size ? i + shift : i + shift - size];
       if (image.cosine[from] < grazing * chance) continue;
       if (dark_range_squared > 0.0F && z * z > dark_range_squared * image.reflectance[from] * chance)
         continue;
