@@ -63,8 +63,8 @@ public:
   /// Forgets everything; the next frame starts from the seed.
   void reset();
 
-  /// Whether the next update has no floor to start from, and so wants an up vector from tf if there is one.
-  bool needsSeed() const { return state_.status == FloorStatus::kNotFound || !parameters_.up_feedback; }
+  /// Whether the update at `stamp` has no floor to start from, and so wants an up vector from tf if there is one.
+  bool needsSeed(double stamp) const { return !parameters_.up_feedback || !standsAt(stamp); }
 
   const FloorState& state() const { return state_; }
   const FloorDetector& detector() const { return detector_; }
@@ -78,6 +78,11 @@ private:
   };
 
   void remember(const DetectedFloor& floor, double stamp);
+  /// Whether a floor is known and not yet held too long.
+  bool standsAt(double stamp) const
+  {
+    return state_.status != FloorStatus::kNotFound && stamp - *found_stamp_ <= parameters_.floor_timeout;
+  }
   FloorPrior prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const;
 
   Parameters parameters_;

@@ -86,9 +86,7 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
   if (last_stamp_ && stamp < *last_stamp_) reset();
   last_stamp_ = stamp;
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
-  if (state_.status != FloorStatus::kNotFound && stamp - *found_stamp_ > parameters_.floor_timeout) {
-    state_.status = FloorStatus::kNotFound;
-  }
+  if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
 
   if (const auto floor = detector_.detect(points, grid, prior(stamp, up_from_tf))) {
     remember(*floor, stamp);

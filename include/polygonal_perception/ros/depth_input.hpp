@@ -1,0 +1,51 @@
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <string>
+
+#include "polygonal_perception/point_view.hpp"
+#include "polygonal_perception/ros/expected.hpp"
+
+namespace polygonal_perception {
+
+/// Turns rectified depth images into views onto their points, by the camera's latest calibration.
+///
+/// A camera_info need not come with every image. But where the two have come in pairs of one stamp, the
+/// image's own info is worth a moment's wait, since either may arrive first and a camera's calibration may
+/// change.
+class DepthInput
+{
+public:
+  /// Takes on a calibration.
+  void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
+
+  /// Whether a camera_info has come since the last reset.
+  bool hasCameraInfo() const { return info_ != nullptr; }
+
+  /// Whether the camera_info of this image is still to be expected.
+  bool awaitsCameraInfo(const sensor_msgs::Image& image) const;
+
+  /// A view onto the image's points, which lives as long as the image and until the next call; nothing is
+  /// copied.
+  /// @return the view, or an error that names the field, what it was and what is accepted: 16UC1 in
+  /// millimetres or
+  ///         32FC1 in metres, little-endian, and a camera_info of the same size with positive focal lengths
+  Expected<PointView> view(const sensor_msgs::Image& image);
+
+  /// Forgets the calibration.
+  void reset();
+
+private:
+  std::string adoptCalibration(const sensor_msgs::Image& image);
+
+  sensor_msgs::CameraInfoConstPtr info_;
+  sensor_msgs::CameraInfoConstPtr info_of_rays_;
+  ros::Time last_image_;
+  bool in_pairs_ = false;
+  PinholeRays rays_;
+};
+
+}  // namespace polygonal_perception

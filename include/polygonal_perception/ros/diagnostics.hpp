@@ -1,0 +1,29 @@
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <string>
+
+#include "polygonal_perception/floor_tracker.hpp"
+#include "polygonal_perception/ros/camera_attitude.hpp"
+#include "polygonal_perception/ros/frame_statistics.hpp"
+
+namespace polygonal_perception {
+
+/// What the node is doing, as far as its diagnostics tell.
+struct NodeState
+{
+  bool active = false;        ///< subscribed to the camera
+  std::string awaited_topic;  ///< resolved name of the input that it cannot go on without
+  bool awaited_is_published = false;
+  FloorState floor;
+  CameraAttitude attitude;  ///< meaningful with a floor
+};
+
+/// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to
+/// come or all are rejected.
+void fillDiagnostics(const NodeState& state, const FrameStatistics& statistics,
+                     FrameStatistics::Clock::time_point now,
+                     diagnostic_updater::DiagnosticStatusWrapper& status);
+
+}  // namespace polygonal_perception

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/ros/camera_attitude.hpp"
+#include "polygonal_perception/ros/depth_input.hpp"
+#include "polygonal_perception/ros/frame_statistics.hpp"
+#include "polygonal_perception/ros/node_parameters.hpp"
+#include "polygonal_perception/ros/outputs.hpp"
+#include "polygonal_perception/ros/tf_bridge.hpp"
+#include "polygonal_perception/ros/throttled_log.hpp"
+
+namespace polygonal_perception {
+
+/// A frame as it came in: a cloud or an image.
+struct InputFrame
+{
+  sensor_msgs::PointCloud2ConstPtr cloud;
+  sensor_msgs::ImageConstPtr image;
+
+  const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
+};
+
+/// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the
+/// result.
+class FrameProcessor
+{
+public:
+  /// @param outputs, statistics, log  must outlive it
+  FrameProcessor(const NodeParameters& parameters, Outputs& outputs, FrameStatistics& statistics,
+                 ThrottledLog& log);
+
+  void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info) { depth_input_.setCameraInfo(info); }
+  bool hasCameraInfo() const { return depth_input_.hasCameraInfo(); }
+
+  /// Answers a frame or says why not. Never throws.
+  /// @param may_wait  whether the frame may come again a little later, when its transforms have arrived
+  /// @return false when the frame had better wait, and nothing has been done yet
+  bool process(const InputFrame& frame, bool may_wait);
+
+  /// Takes on new parameters with the next frame.
+  void configure(const Pipeline::Parameters& parameters) { pipeline_.configure(parameters); }
+
+  /// Forgets the floor.
+  void forgetFloor();
+  /// Forgets all that has a time: the floor, the transforms, the calibration.
+  void forgetTime();
+
+  /// As it was answered last.
+  const FloorState& floor() const { return floor_; }
+  /// Of the camera above that floor; level where there is none.
+  CameraAttitude attitude() const;
+
+private:
+  bool processUnguarded(const InputFrame& frame, bool may_wait);
+  std::string frameError(const std::string& frame_id) const;
+  void broadcast(const Answer& answer);
+  OutputPlace placeOf(const FloorState& floor, const std::optional<Eigen::Isometry3d>& input_to_output) const;
+  void reject(const char* kind, const std::string& reason);
+
+  const NodeParameters parameters_;
+  Outputs& outputs_;
+  FrameStatistics& statistics_;
+  ThrottledLog& log_;
+  Pipeline pipeline_;
+  DepthInput depth_input_;
+  std::unique_ptr<TfBridge> tf_;  // only where a parameter names a frame
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Time last_broadcast_;
+  FloorState floor_;
+};
+
+}  // namespace polygonal_perception

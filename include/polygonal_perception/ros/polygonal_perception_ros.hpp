@@ -1,0 +1,90 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <ros/subscriber.h>
+#include <ros/wall_timer.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <std_srvs/Trigger.h>
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "polygonal_perception/ros/frame_processor.hpp"
+#include "polygonal_perception/ros/frame_statistics.hpp"
+#include "polygonal_perception/ros/node_parameters.hpp"
+#include "polygonal_perception/ros/outputs.hpp"
+#include "polygonal_perception/ros/reconfigure_server.hpp"
+#include "polygonal_perception/ros/throttled_log.hpp"
+
+namespace polygonal_perception {
+
+/// The whole node: what the nodelet and the node executable run, and what needs neither of them to be tested.
+///
+/// It subscribes to the camera while somebody reads an output, hands each frame to the FrameProcessor, and
+/// lets a frame whose transforms are on their way wait without holding up anything else.
+///
+/// The handles' queue may be served by any thread, one callback at a time, as a nodelet's single-threaded
+/// queue is.
+class PolygonalPerceptionRos
+{
+public:
+  /// @param handle          where the inputs are
+  /// @param private_handle  where parameters, outputs and services are
+  PolygonalPerceptionRos(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  /// Waits for callbacks under way; frames may go on arriving meanwhile.
+  ~PolygonalPerceptionRos();
+
+  PolygonalPerceptionRos(const PolygonalPerceptionRos&) = delete;
+  PolygonalPerceptionRos& operator=(const PolygonalPerceptionRos&) = delete;
+
+private:
+  struct WaitingFrame
+  {
+    InputFrame frame;
+    FrameStatistics::Clock::time_point arrival;
+  };
+
+  void onFrame(const InputFrame& frame);
+  void onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
+  void onReadersChanged();
+  void onParameters(const Pipeline::Parameters& parameters);
+  bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  void updateSubscription();
+  void subscribe();
+  void unsubscribe();
+  void processWaiting();
+  void checkClock();
+  void forgetTime(const std::string& reason);
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  // First, so that it outlives every callback that locks it.
+  std::mutex mutex_;
+  ros::NodeHandle handle_;
+  ros::NodeHandle private_handle_;
+  const std::string name_;
+  NodeParameters parameters_;
+  ThrottledLog log_;
+  FrameStatistics statistics_;
+  std::unique_ptr<Outputs> outputs_;
+  std::unique_ptr<FrameProcessor> processor_;
+
+  bool subscribed_ = false;
+  std::deque<WaitingFrame> waiting_;
+  ros::Time last_stamp_;
+  ros::Time last_now_;
+
+  diagnostic_updater::Updater updater_;
+  std::unique_ptr<ReconfigureServer> reconfigure_;
+  ros::Subscriber frames_;
+  ros::Subscriber camera_info_;
+  ros::ServiceServer reset_;
+  ros::WallTimer waiting_timer_;
+  ros::WallTimer diagnostics_timer_;
+};
+
+}  // namespace polygonal_perception

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+
+#include <functional>
+#include <mutex>
+
+#include "polygonal_perception/pipeline.hpp"
+
+namespace polygonal_perception {
+
+/// Lets clients of dynamic_reconfigure change the pipeline's parameters.
+///
+/// It speaks the protocol itself, straight from the stages' describe(), where ranges, units and help text
+/// stand already: a generated .cfg would repeat them all, dynamic_reconfigure::Server clamps a bad value in
+/// silence instead of refusing the set, and its mutex may be gone before its service is when a nodelet is
+/// unloaded.
+class ReconfigureServer
+{
+public:
+  using Apply = std::function<void(const Pipeline::Parameters&)>;
+
+  /// @param private_handle  where set_parameters, parameter_descriptions and parameter_updates are
+  /// @param initial         in force now
+  /// @param apply           called from the handle's queue with each new set that is good as a whole
+  ReconfigureServer(const ros::NodeHandle& private_handle, const Pipeline::Parameters& initial, Apply apply);
+  ~ReconfigureServer();
+
+  /// Ends the service and waits for a call under way.
+  void shutdown();
+
+private:
+  bool onSet(dynamic_reconfigure::Reconfigure::Request& request,
+             dynamic_reconfigure::Reconfigure::Response& response);
+
+  std::mutex mutex_;  // declared first: it must outlive the service that locks it
+  ros::NodeHandle handle_;
+  Pipeline::Parameters current_;
+  Apply apply_;
+  ros::Publisher descriptions_;
+  ros::Publisher updates_;
+  ros::ServiceServer service_;
+};
+
+}  // namespace polygonal_perception

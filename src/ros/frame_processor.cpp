@@ -1,0 +1,166 @@
+#include "polygonal_perception/ros/frame_processor.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "polygonal_perception/floor_frame.hpp"
+#include "polygonal_perception/ros/cloud_input.hpp"
+
+namespace polygonal_perception {
+
+FrameProcessor::FrameProcessor(const NodeParameters& parameters, Outputs& outputs,
+                               FrameStatistics& statistics, ThrottledLog& log)
+    : parameters_(parameters),
+      outputs_(outputs),
+      statistics_(statistics),
+      log_(log),
+      pipeline_(parameters.pipeline)
+{
+  if (!parameters.up_frame.empty() || !parameters.output_frame.empty()) tf_ = std::make_unique<TfBridge>();
+}
+
+bool FrameProcessor::process(const InputFrame& frame, bool may_wait)
+{
+  try {
+    return processUnguarded(frame, may_wait);
+  } catch (const std::exception& error) {
+    forgetFloor();
+    reject("exception", std::string("the frame made the node fail: ") + error.what());
+  } catch (...) {
+    forgetFloor();
+    reject("exception", "the frame made the node fail for an unknown reason");
+  }
+  return true;
+}
+
+bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
+{
+  const std_msgs::Header& header = frame.header();
+  if (frame.image && may_wait && depth_input_.awaitsCameraInfo(*frame.image)) return false;
+  const Expected<PointView> points = frame.cloud ? viewCloud(*frame.cloud) : depth_input_.view(*frame.image);
+  if (!points) {
+    reject("input", (frame.cloud ? "cloud rejected: " : "depth image rejected: ") + points.error());
+    return true;
+  }
+  if (const std::string error = frameError(header.frame_id); !error.empty()) {
+    reject("input", error);
+    return true;
+  }
+
+  Frame input;
+  input.points = *points;
+  input.stamp = header.stamp.toSec();
+  std::string missing;
+  if (!parameters_.up_frame.empty() && pipeline_.tracker().needsSeed(input.stamp)) {
+    const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
+    if (!up_to_input && may_wait) return false;
+    if (up_to_input) {
+      input.up_from_tf = up_to_input->linear().col(2);
+    } else {
+      missing = up_to_input.error();
+    }
+  }
+  const bool up_is_missing = !missing.empty();
+  std::optional<Eigen::Isometry3d> input_to_output;
+  if (!parameters_.output_frame.empty()) {
+    const auto transform = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
+    if (!transform && may_wait) return false;
+    if (transform) {
+      input_to_output = *transform;
+    } else {
+      missing = transform.error();
+    }
+  }
+
+  Answer answer;
+  answer.input = header;
+  answer.points = *points;
+  const bool has_place = parameters_.output_frame.empty() || input_to_output;
+  if (up_is_missing) {
+    // Without the seed that was asked for there is no floor: initial_up may be far off.
+    pipeline_.reset();
+  } else {
+    answer.goal = has_place ? outputs_.goal() : Pipeline::Goal::kFloor;
+    answer.floor = pipeline_.process(input, *answer.goal).floor;
+  }
+  if (has_place) answer.place = placeOf(answer.floor, input_to_output);
+  floor_ = answer.floor;
+
+  const auto start = FrameStatistics::Clock::now();
+  // First, so that it is there when somebody places the rest by it.
+  broadcast(answer);
+  outputs_.publish(answer, pipeline_);
+  if (missing.empty()) {
+    statistics_.answered(pipeline_.result().times, FrameStatistics::Clock::now() - start);
+  } else {
+    reject("tf", missing);
+  }
+  return true;
+}
+
+std::string FrameProcessor::frameError(const std::string& frame_id) const
+{
+  if (frame_id.empty()) return "header.frame_id is empty, accepted is the name of a tf frame";
+  if (frame_id.front() == '/') {
+    return "header.frame_id is '" + frame_id +
+           "', accepted is a name without a leading slash (tf2 knows none with one)";
+  }
+  if (frame_id == parameters_.floor_frame) {
+    return "header.frame_id is '" + frame_id + "', which is floor_frame; accepted is any other frame";
+  }
+  return {};
+}
+
+OutputPlace FrameProcessor::placeOf(const FloorState& floor,
+                                    const std::optional<Eigen::Isometry3d>& input_to_output) const
+{
+  if (!input_to_output) return {parameters_.floor_frame, Eigen::Isometry2d::Identity()};
+  Eigen::Isometry3d input_to_floor = pipeline_.result().to_floor_frame;
+  if (floor.status == FloorStatus::kNotFound) {
+    // The unknown grid lies where the floor would be if tf were right about the camera's attitude.
+    const auto forward = forwardAxis(pipeline_.samples(), parameters_.pipeline.tracker.initial_up);
+    const Plane level{input_to_output->linear().row(2).transpose(), 0.0};
+    input_to_floor = floorFrame(level, forward.value_or(Eigen::Vector3d::UnitZ()));
+  }
+  return {parameters_.output_frame, outputPose(*input_to_output, input_to_floor)};
+}
+
+void FrameProcessor::broadcast(const Answer& answer)
+{
+  if (!parameters_.publish_tf || answer.floor.status == FloorStatus::kNotFound) return;
+  // tf2 complains of a transform that comes twice.
+  if (answer.input.stamp == last_broadcast_) return;
+  last_broadcast_ = answer.input.stamp;
+  broadcaster_.sendTransform(
+      toTransform(answer.input, parameters_.floor_frame, pipeline_.result().to_floor_frame));
+}
+
+CameraAttitude FrameProcessor::attitude() const
+{
+  const Eigen::Vector3d& initial_up = parameters_.pipeline.tracker.initial_up;
+  const auto forward = forwardAxis(pipeline_.samples(), initial_up);
+  if (floor_.status == FloorStatus::kNotFound || !forward) return {};
+  return cameraAttitude(floor_.floor.plane.normal, *forward, initial_up);
+}
+
+void FrameProcessor::forgetFloor()
+{
+  pipeline_.reset();
+  outputs_.reset();
+  floor_ = FloorState{};
+}
+
+void FrameProcessor::forgetTime()
+{
+  forgetFloor();
+  if (tf_) tf_->clear();
+  last_broadcast_ = ros::Time();
+}
+
+void FrameProcessor::reject(const char* kind, const std::string& reason)
+{
+  statistics_.rejected(reason);
+  log_.error(kind, reason);
+}
+
+}  // namespace polygonal_perception

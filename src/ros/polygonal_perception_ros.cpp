@@ -1,0 +1,214 @@
+#include "polygonal_perception/ros/polygonal_perception_ros.hpp"
+
+#include <ros/console.h>
+
+#include <vector>
+
+#include "polygonal_perception/ros/diagnostics.hpp"
+#include "polygonal_perception/ros/topics.hpp"
+
+namespace polygonal_perception {
+
+namespace {
+
+using Lock = std::lock_guard<std::mutex>;
+
+constexpr double kWaitingPeriod = 0.004;  // [s] between two looks at the frames that wait
+constexpr std::size_t kMostWaiting = 8;   // frames, which keep their publisher's memory
+
+NodeParameters readParameters(const ros::NodeHandle& private_handle)
+{
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+  NodeParameters parameters = readNodeParameters(private_handle, errors, warnings);
+  for (const std::string& error : errors) ROS_ERROR_STREAM(error);
+  for (const std::string& warning : warnings) ROS_WARN_STREAM(warning);
+  return parameters;
+}
+
+}  // namespace
+
+PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
+                                               const ros::NodeHandle& private_handle)
+    : handle_(handle),
+      private_handle_(private_handle),
+      name_(private_handle.getNamespace()),
+      parameters_(readParameters(private_handle)),
+      log_(name_),
+      updater_(handle, private_handle, name_)
+{
+  // Readers may come before everything stands: their callbacks wait for this.
+  const Lock lock(mutex_);
+  outputs_ = std::make_unique<Outputs>(private_handle_, [this] { onReadersChanged(); });
+  processor_ = std::make_unique<FrameProcessor>(parameters_, *outputs_, statistics_, log_);
+  reconfigure_ = std::make_unique<ReconfigureServer>(
+      private_handle_, parameters_.pipeline,
+      [this](const Pipeline::Parameters& parameters) { onParameters(parameters); });
+  reset_ = private_handle_.advertiseService(topics::kReset, &PolygonalPerceptionRos::onReset, this);
+
+  updater_.setHardwareID("none");
+  updater_.add("frames", this, &PolygonalPerceptionRos::diagnose);
+  diagnostics_timer_ =
+      handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
+                              [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  constexpr bool kOneShot = false;
+  constexpr bool kStopped = false;
+  waiting_timer_ = handle_.createWallTimer(
+      ros::WallDuration(kWaitingPeriod),
+      [this](const ros::WallTimerEvent&) {
+        const Lock guard(mutex_);
+        processWaiting();
+      },
+      kOneShot, kStopped);
+  updateSubscription();
+}
+
+PolygonalPerceptionRos::~PolygonalPerceptionRos()
+{
+  // Each of these waits for its callbacks under way, which may hold the mutex: so we must not.
+  diagnostics_timer_.stop();
+  waiting_timer_.stop();
+  reset_.shutdown();
+  reconfigure_->shutdown();
+  outputs_->shutdown();
+  frames_.shutdown();
+  camera_info_.shutdown();
+}
+
+void PolygonalPerceptionRos::onReadersChanged()
+{
+  const Lock lock(mutex_);
+  updateSubscription();
+}
+
+void PolygonalPerceptionRos::onParameters(const Pipeline::Parameters& parameters)
+{
+  const Lock lock(mutex_);
+  parameters_.pipeline = parameters;
+  processor_->configure(parameters);
+}
+
+bool PolygonalPerceptionRos::onReset(std_srvs::Trigger::Request& /*request*/,
+                                     std_srvs::Trigger::Response& response)
+{
+  const Lock lock(mutex_);
+  processor_->forgetFloor();
+  response.success = 1;
+  response.message = "The floor is forgotten; the next frame starts from the seed.";
+  return true;
+}
+
+void PolygonalPerceptionRos::updateSubscription()
+{
+  const bool wanted = !parameters_.lazy || outputs_->hasReaders();
+  if (wanted && !subscribed_) subscribe();
+  if (!wanted && subscribed_) unsubscribe();
+}
+
+void PolygonalPerceptionRos::subscribe()
+{
+  // A floor from before the pause may be one of another room.
+  processor_->forgetFloor();
+  statistics_.interrupt();
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  if (parameters_.input == "depth") {
+    camera_info_ = handle_.subscribe(topics::kCameraInfo, topics::kInputQueueSize,
+                                     &PolygonalPerceptionRos::onCameraInfo, this, hints);
+    frames_ = handle_.subscribe<sensor_msgs::Image>(
+        topics::kDepthImage, topics::kInputQueueSize,
+        [this](const sensor_msgs::ImageConstPtr& image) {
+          onFrame({nullptr, image});
+        },
+        nullptr, hints);
+  } else {
+    frames_ = handle_.subscribe<sensor_msgs::PointCloud2>(
+        topics::kPoints, topics::kInputQueueSize,
+        [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+          onFrame({cloud, nullptr});
+        },
+        nullptr, hints);
+  }
+  subscribed_ = true;
+}
+
+void PolygonalPerceptionRos::unsubscribe()
+{
+  frames_.shutdown();
+  camera_info_.shutdown();
+  waiting_timer_.stop();
+  waiting_.clear();
+  subscribed_ = false;
+}
+
+void PolygonalPerceptionRos::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
+{
+  const Lock lock(mutex_);
+  processor_->setCameraInfo(info);
+  processWaiting();
+}
+
+void PolygonalPerceptionRos::onFrame(const InputFrame& frame)
+{
+  const Lock lock(mutex_);
+  checkClock();
+  const std_msgs::Header& header = frame.header();
+  if (header.stamp < last_stamp_) forgetTime("the frame's stamp is before the last one");
+  last_stamp_ = header.stamp;
+
+  const auto now = FrameStatistics::Clock::now();
+  statistics_.received(header.seq, now);
+  waiting_.push_back({frame, now});
+  processWaiting();
+}
+
+void PolygonalPerceptionRos::processWaiting()
+{
+  const auto now = FrameStatistics::Clock::now();
+  while (!waiting_.empty()) {
+    const double waited = std::chrono::duration<double>(now - waiting_.front().arrival).count();
+    const bool may_wait = waited < parameters_.tf_timeout && waiting_.size() <= kMostWaiting;
+    if (!processor_->process(waiting_.front().frame, may_wait)) break;
+    waiting_.pop_front();
+  }
+  if (waiting_.empty()) {
+    waiting_timer_.stop();
+  } else {
+    waiting_timer_.start();
+  }
+}
+
+void PolygonalPerceptionRos::checkClock()
+{
+  const ros::Time now = ros::Time::now();
+  if (now < last_now_) forgetTime("the clock was set back");
+  last_now_ = now;
+}
+
+void PolygonalPerceptionRos::forgetTime(const std::string& reason)
+{
+  ROS_WARN_STREAM("[" << name_ << "] time has jumped back (" << reason << "): starting anew");
+  processor_->forgetTime();
+  statistics_.interrupt();
+  statistics_.startReport(FrameStatistics::Clock::now());
+  waiting_.clear();
+  last_stamp_ = ros::Time();
+}
+
+void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  const Lock lock(mutex_);
+  checkClock();
+  NodeState state;
+  state.active = subscribed_;
+  const bool lacks_info = parameters_.input == "depth" && !processor_->hasCameraInfo();
+  const ros::Subscriber& awaited = lacks_info && statistics_.recentlyReceived() > 0 ? camera_info_ : frames_;
+  state.awaited_topic = awaited.getTopic();
+  state.awaited_is_published = awaited.getNumPublishers() > 0;
+  state.floor = processor_->floor();
+  state.attitude = processor_->attitude();
+  const auto now = FrameStatistics::Clock::now();
+  fillDiagnostics(state, statistics_, now, status);
+  statistics_.startReport(now);
+}
+
+}  // namespace polygonal_perception

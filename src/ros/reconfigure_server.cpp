@@ -1,0 +1,61 @@
+#include "polygonal_perception/ros/reconfigure_server.hpp"
+
+#include <ros/console.h>
+
+#include "polygonal_perception/parameter_check.hpp"
+#include "polygonal_perception/ros/node_parameters.hpp"
+#include "reconfigure_messages.hpp"
+
+namespace polygonal_perception {
+
+ReconfigureServer::ReconfigureServer(const ros::NodeHandle& private_handle,
+                                     const Pipeline::Parameters& initial, Apply apply)
+    : handle_(private_handle), current_(initial), apply_(std::move(apply))
+{
+  constexpr bool kLatch = true;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  writePipelineParameters(handle_, current_);
+  descriptions_ =
+      handle_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, kLatch);
+  updates_ = handle_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, kLatch);
+  descriptions_.publish(describeConfig());
+  updates_.publish(toConfig(current_));
+  service_ = handle_.advertiseService("set_parameters", &ReconfigureServer::onSet, this);
+}
+
+ReconfigureServer::~ReconfigureServer()
+{
+  shutdown();
+}
+
+void ReconfigureServer::shutdown()
+{
+  service_.shutdown();
+  descriptions_.shutdown();
+  updates_.shutdown();
+}
+
+bool ReconfigureServer::onSet(dynamic_reconfigure::Reconfigure::Request& request,
+                              dynamic_reconfigure::Reconfigure::Response& response)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Pipeline::Parameters wanted = current_;
+  std::string error = mergeConfig(request.config, wanted);
+  if (error.empty()) {
+    if (const auto fault = findFault(wanted)) error = fault->reason;
+  }
+  if (error.empty()) {
+    apply_(wanted);
+    current_ = wanted;
+    writePipelineParameters(handle_, current_);
+  } else {
+    ROS_ERROR_STREAM("[" << handle_.getNamespace() << "] set of parameters refused: " << error
+                         << "; the old set stays");
+  }
+  // Also after a refusal, so that the client shows what is in force.
+  response.config = toConfig(current_);
+  updates_.publish(response.config);
+  return true;
+}
+
+}  // namespace polygonal_perception
