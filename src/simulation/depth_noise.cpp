@@ -15,6 +15,8 @@ namespace {
 
 constexpr float kNoReturn = std::numeric_limits<float>::quiet_NaN();
 constexpr float kEdgeJump = 0.7F;  // [px] of disparity between neighbours: more than any slanted floor has
+// Truncation after adding this rounds a positive number, without a call into libm.
+constexpr float kHalf = 0.5F;
 constexpr float kShadowMargin = 1.5F;  // [px] of disparity that something must be nearer by to keep light off
 
 /// Nearly normal, zero mean, unit variance: the sum of four numbers of 16 bits each.
@@ -31,8 +33,7 @@ float fraction(std::uint64_t bits)
   return static_cast<float>(bits & 0xFFFFFF) * (1.0F / 16777216.0F);
 }
 
-/// Smooths one line of values; beyond its ends the line is mirrored. The kernel's squares sum up to 1, which
-/// keeps the variance of independent values.
+/// Weights whose squares sum up to 1: smoothing with them keeps the variance of independent values.
 std::vector<float> smoothingKernel(double sigma)
 {
   const int radius = static_cast<int>(std::ceil(2.5 * sigma));
@@ -44,6 +45,14 @@ std::vector<float> smoothingKernel(double sigma)
   }
   for (float& weight : kernel) weight /= std::sqrt(squares);
   return kernel;
+}
+
+/// The index on a ring of n values.
+std::size_t wrap(std::ptrdiff_t i, std::ptrdiff_t n)
+{
+  while (i < 0) i += n;
+  while (i >= n) i -= n;
+  return static_cast<std::size_t>(i);
 }
 
 }  // namespace
@@ -109,7 +118,7 @@ void DepthNoise::apply(const PinholeCamera& camera, const RayImage& image, std::
         from = move(bits >> 40, v, camera.height) * camera.width + move(bits >> 20, u, camera.width);
       }
       const float z = image.depth[from];
-      const float chance = 1.0F + 0.25F * field_[(i + shift) % size];
+      const float chance = 1.0F + 0.25F * field_[i + shift < size ? i + shift : i + shift - size];
       if (image.cosine[from] < grazing * chance) continue;
       if (dark_range_squared > 0.0F && z * z > dark_range_squared * image.reflectance[from] * chance)
         continue;
@@ -129,8 +138,7 @@ float DepthNoise::measured(float depth, float field) const
   if (parameters_.disparity_step <= 0.0) return noisy;
   const auto scale =
       static_cast<float>(parameters_.baseline * parameters_.disparity_focal / parameters_.disparity_step);
-  // Truncation after adding 0.5 rounds positive numbers, without a call into libm.
-  return scale / static_cast<float>(static_cast<int>(scale / noisy + 0.5F));
+  return scale / static_cast<float>(static_cast<int>(scale / noisy + kHalf));
 }
 
 void DepthNoise::drawField(const PinholeCamera& camera, std::uint64_t frame_seed)
@@ -150,7 +158,7 @@ void DepthNoise::drawField(const PinholeCamera& camera, std::uint64_t frame_seed
   for (std::ptrdiff_t v = 0; v < height; ++v) {
     for (std::ptrdiff_t u = -radius; u < width + radius; ++u) {
       line[static_cast<std::size_t>(u + radius)] =
-          field_[static_cast<std::size_t>(v * width + ((u % width) + width) % width)];
+          field_[static_cast<std::size_t>(v * width) + wrap(u, width)];
     }
     float* out = &scratch_[static_cast<std::size_t>(v * width)];
     std::fill(out, out + width, 0.0F);
@@ -162,8 +170,8 @@ void DepthNoise::drawField(const PinholeCamera& camera, std::uint64_t frame_seed
     float* out = &field_[static_cast<std::size_t>(v * width)];
     std::fill(out, out + width, 0.0F);
     for (std::size_t k = 0; k < kernel.size(); ++k) {
-      const std::ptrdiff_t row = v + static_cast<std::ptrdiff_t>(k) - radius;
-      const float* in = &scratch_[static_cast<std::size_t>((((row % height) + height) % height) * width)];
+      const std::size_t row = wrap(v + static_cast<std::ptrdiff_t>(k) - radius, height);
+      const float* in = &scratch_[row * camera.width];
       for (std::ptrdiff_t u = 0; u < width; ++u) out[u] += kernel[k] * in[u];
     }
   }
@@ -189,7 +197,7 @@ void DepthNoise::castShadows(const PinholeCamera& camera)
       lit_[at + 1] = std::max(lit_[at + 1], disparity[u]);
     }
     for (std::size_t u = 0; u < camera.width; ++u) {
-      const auto at = static_cast<std::size_t>(column(u) + 0.5F);
+      const auto at = static_cast<std::size_t>(column(u) + kHalf);
       if (lit_[at] > disparity[u] + kShadowMargin) lost_[v * camera.width + u] = 1;
     }
   }

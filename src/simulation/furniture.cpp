@@ -7,6 +7,8 @@ namespace simulation {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+constexpr double kBoardSpacing = 0.34;  // [m] from board to board of a shelf
+constexpr double kCablePiece = 0.12;    // [m] over which a cable is straight
 
 /// Wood, cloth and plastic; one thing in eight is nearly black.
 double anyReflectance(Random& random)
@@ -115,7 +117,9 @@ void addOpenShelf(const Assembly& at, Random& random, const HalfSize& half, doub
            {half.x(), side * (half.y() - 0.01) + 0.01, height});
   }
   at.box({-half.x(), -half.y() + 0.02, 0.0}, {-half.x() + 0.01, half.y() - 0.02, height});
-  for (double z = 0.06; z < height - 0.05; z += 0.34) {
+  const int boards = static_cast<int>((height - 0.11) / kBoardSpacing) + 1;
+  for (int board = 0; board < boards; ++board) {
+    const double z = 0.06 + kBoardSpacing * board;
     at.box({-half.x() + 0.01, -half.y() + 0.02, z}, {half.x(), half.y() - 0.02, z + 0.02});
     for (double y = -half.y() + 0.03; y < half.y() - 0.1;) {
       const double width = random.uniform(0.03, 0.25);
@@ -166,7 +170,7 @@ void addTableClutter(const Assembly& at, Random& random, const HalfSize& half, d
 
 HalfSize addDesk(const Assembly& at, Random& random)
 {
-  const HalfSize half(random.uniform(0.35, 0.42), random.uniform(0.6, 0.95));
+  HalfSize half(random.uniform(0.35, 0.42), random.uniform(0.6, 0.95));
   const double height = random.uniform(0.70, 0.78);
   addTable(at, random, half, height);
   addTableClutter(at, random, half, height, random.integer(1, 6));
@@ -192,7 +196,7 @@ HalfSize addChair(const Assembly& at, Random& random)
 
 HalfSize addCabinet(const Assembly& at, Random& random)
 {
-  const HalfSize half(random.uniform(0.15, 0.3), random.uniform(0.3, 0.6));
+  HalfSize half(random.uniform(0.15, 0.3), random.uniform(0.3, 0.6));
   const double height = random.chance(0.5) ? random.uniform(0.7, 1.2) : random.uniform(1.6, 2.1);
   const Assembly wood = at.reflecting(random.uniform(0.3, 0.85));
   if (random.chance(0.4)) {
@@ -207,7 +211,7 @@ HalfSize addCabinet(const Assembly& at, Random& random)
 
 HalfSize addSofa(const Assembly& at, Random& random)
 {
-  const HalfSize half(random.uniform(0.4, 0.48), random.chance(0.4) ? 0.45 : random.uniform(0.75, 1.05));
+  HalfSize half(random.uniform(0.4, 0.48), random.chance(0.4) ? 0.45 : random.uniform(0.75, 1.05));
   const Assembly cloth = at.reflecting(anyReflectance(random));
   const double seat = random.uniform(0.38, 0.46);
   cloth.box({-half.x(), -half.y(), 0.05}, {half.x(), half.y(), seat});
@@ -239,7 +243,7 @@ HalfSize addBoxes(const Assembly& at, Random& random)
 HalfSize addBag(const Assembly& at, Random& random)
 {
   const Assembly cloth = at.reflecting(anyReflectance(random));
-  const HalfSize half(random.uniform(0.1, 0.17), random.uniform(0.15, 0.25));
+  HalfSize half(random.uniform(0.1, 0.17), random.uniform(0.15, 0.25));
   const double height = random.uniform(0.2, 0.5);
   cloth.box({-0.7 * half.x(), -0.8 * half.y(), 0.0}, {0.7 * half.x(), 0.8 * half.y(), 0.5 * height});
   cloth.ellipsoid({0, 0, 0.48 * height}, {half.x(), half.y(), 0.5 * height});
@@ -278,7 +282,7 @@ HalfSize addSmallThing(const Assembly& at, Random& random)
 
 HalfSize addRadiator(const Assembly& at, Random& random)
 {
-  const HalfSize half(0.06, random.uniform(0.4, 0.8));
+  HalfSize half(0.06, random.uniform(0.4, 0.8));
   at.reflecting(0.8).box({-half.x() + 0.03, -half.y(), 0.12},
                          {half.x(), half.y(), random.uniform(0.55, 0.75)});
   at.cylinder({0.0, half.y() - 0.05, 0.0}, {0.0, half.y() - 0.05, 0.12}, 0.012);
@@ -291,9 +295,11 @@ void addCable(const Assembly& at, Random& random, double length)
   const Assembly rubber = at.reflecting(random.uniform(0.05, 0.5));
   Eigen::Vector3d from(0, 0, radius);
   double heading = 0.0;
-  for (double gone = 0.0; gone < length; gone += 0.12) {
+  const int pieces = static_cast<int>(length / kCablePiece) + 1;
+  for (int piece = 0; piece < pieces; ++piece) {
     heading += random.uniform(-0.6, 0.6);
-    const Eigen::Vector3d to = from + 0.12 * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0.0);
+    const Eigen::Vector3d to =
+        from + kCablePiece * Eigen::Vector3d(std::cos(heading), std::sin(heading), 0.0);
     rubber.cylinder(from, to, radius);
     from = to;
   }

@@ -137,7 +137,8 @@ private:
   void castPacket(const PinholeCamera& camera, const Eigen::Matrix3f& rotation, const Eigen::Vector3f& origin,
                   std::uint32_t left, std::uint32_t top, RayImage& image) const
   {
-    alignas(64) RTCRayHit16 rays;
+    // Not zeroed: all that Embree reads is set below.
+    alignas(64) RTCRayHit16 rays;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     alignas(64) int valid[kPacket];
     for (std::uint32_t i = 0; i < kPacket; ++i) {
       const std::uint32_t u = left + i % kPacketWidth;

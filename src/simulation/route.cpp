@@ -26,7 +26,7 @@ RoutePose drawAnywhere(const ViewArea& area, Random& random)
 RoutePose drawPose(const FreeSpace& space, const ViewArea& area, Random& random)
 {
   for (int i = 0; i < kTries; ++i) {
-    const RoutePose pose = drawAnywhere(area, random);
+    RoutePose pose = drawAnywhere(area, random);
     if (space.contains(pose.position)) return pose;
   }
   throw std::runtime_error("a scene leaves the camera no room");

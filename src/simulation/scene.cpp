@@ -52,6 +52,7 @@ const std::vector<std::string>& sceneNames()
 {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(kLayouts.size());
     for (const Layout& layout : kLayouts) all.emplace_back(layout.name);
     return all;
   }();

@@ -120,8 +120,10 @@ void layOutLedge(Scene& scene, Random& random)
     }
   }
   if (random.chance(0.3)) {
-    // Posts of a railing whose bars are too thin to matter.
-    for (double y = -half_width + 0.3; y < half_width; y += 1.2) {
+    // A railing: a handrail and its posts.
+    const int posts = static_cast<int>((2.0 * half_width - 0.3) / 1.2) + 1;
+    for (int post = 0; post < posts; ++post) {
+      const double y = -half_width + 0.3 + 1.2 * post;
       Assembly(scene.solids).cylinder({-0.08, y, 0.0}, {-0.08, y, 1.0}, 0.02);
     }
     Assembly(scene.solids).cylinder({-0.08, -half_width, 1.0}, {-0.08, half_width, 1.0}, 0.02);

@@ -15,7 +15,7 @@ constexpr double kPi = 3.141592653589793;
 /// x.
 Rectangle addRoom(Scene& scene, Random& random, const Eigen::Vector2d& size, bool window_ahead = true)
 {
-  const Rectangle room{-0.5 * size, 0.5 * size};
+  Rectangle room{-0.5 * size, 0.5 * size};
   addFloor(scene, random, room);
   const double height = random.uniform(2.4, 3.0);
   addCeiling(scene, room, height);
@@ -75,7 +75,7 @@ void layOutOffice(Scene& scene, Random& random)
   Clearances clearances;
   // Desks stand along two walls or in the middle, the other walls carry cupboards.
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector2d from = corners[i];
+    const Eigen::Vector2d& from = corners[i];
     const Eigen::Vector2d way = corners[(i + 1) % 4] - from;
     const Eigen::Vector2d along = way.normalized();
     const Eigen::Vector2d inwards(-along.y(), along.x());

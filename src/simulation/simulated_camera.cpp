@@ -1,5 +1,7 @@
 #include "polygonal_perception/simulation/simulated_camera.hpp"
 
+#include <stdexcept>
+
 #include "polygonal_perception/simulation/random.hpp"
 
 namespace polygonal_perception {
@@ -14,10 +16,19 @@ std::uint64_t mixName(std::uint64_t seed, const std::string& name)
   return seed;
 }
 
+const SimulatedCamera::Options& checked(const SimulatedCamera::Options& options)
+{
+  // Written so that NaN fails.
+  if (!(options.rate > 0.0 && options.rate <= 1000.0))
+    throw std::invalid_argument("rate must be within 0..1000 Hz");
+  if (options.camera.size() == 0) throw std::invalid_argument("width and height must be positive");
+  return options;
+}
+
 }  // namespace
 
 SimulatedCamera::SimulatedCamera(const Options& options)
-    : options_(options),
+    : options_(checked(options)),
       scene_(std::make_unique<Scene>(makeScene(options.scene, options.seed))),
       trajectory_(makeTrajectory(options.trajectory, *scene_, mixName(options.seed, options.scene))),
       caster_(*scene_),
@@ -29,7 +40,7 @@ void SimulatedCamera::render(std::uint32_t index, SimulatedFrame& frame)
 {
   frame.index = index;
   frame.time = index / options_.rate;
-  frame.camera_to_world = trajectory_->pose(frame.time);
+  frame.camera_to_world = pose(index);
   // The floor is z = 0: the height of a point p of the camera is the third row of the transform, applied to
   // p.
   frame.floor.normal = frame.camera_to_world.linear().row(2);

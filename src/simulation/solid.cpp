@@ -23,7 +23,7 @@ Solid makeBox(const Eigen::Isometry3d& pose, const Eigen::Vector3d& size)
   Solid box;
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d half(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
-    box.vertices.push_back((pose * half.cwiseProduct(size)).cast<float>());
+    box.vertices.emplace_back((pose * half.cwiseProduct(size)).cast<float>());
   }
   box.triangles = {{{0, 2, 1}}, {{1, 2, 3}}, {{4, 5, 6}}, {{5, 7, 6}}, {{0, 1, 4}}, {{1, 5, 4}},
                    {{2, 6, 3}}, {{3, 6, 7}}, {{0, 4, 2}}, {{2, 4, 6}}, {{1, 3, 5}}, {{3, 7, 5}}};
@@ -40,8 +40,8 @@ Solid makeFrustum(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
   for (std::uint32_t i = 0; i < kSides; ++i) {
     const double angle = kTwoPi * i / kSides;
     const Eigen::Vector3d out = std::cos(angle) * side + std::sin(angle) * other;
-    frustum.vertices.push_back((from + radius_from * out).cast<float>());
-    frustum.vertices.push_back((to + radius_to * out).cast<float>());
+    frustum.vertices.emplace_back((from + radius_from * out).cast<float>());
+    frustum.vertices.emplace_back((to + radius_to * out).cast<float>());
     const std::uint32_t a = 2 * i;
     const std::uint32_t b = 2 * ((i + 1) % kSides);
     frustum.triangles.push_back({a, b, a + 1});
@@ -58,7 +58,7 @@ Solid makeEllipsoid(const Eigen::Isometry3d& pose, const Eigen::Vector3d& radii)
 {
   Solid ellipsoid;
   const auto add = [&](const Eigen::Vector3d& unit) {
-    ellipsoid.vertices.push_back((pose * unit.cwiseProduct(radii)).cast<float>());
+    ellipsoid.vertices.emplace_back((pose * unit.cwiseProduct(radii)).cast<float>());
   };
   add(-Eigen::Vector3d::UnitZ());
   add(Eigen::Vector3d::UnitZ());

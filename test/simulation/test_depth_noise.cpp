@@ -181,7 +181,7 @@ TEST(DepthNoise, AParameterOutOfRangeIsRefusedByName)
   DepthNoise::Parameters p;
   p.edge_loss = 1.5;
   try {
-    DepthNoise(p, 1);
+    const DepthNoise noise(p, 1);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("edge_loss"), std::string::npos) << e.what();

@@ -76,7 +76,8 @@ TEST(Scene, ObstaclesAreThoseOfTheBandAndMoveWithThePeople)
 TEST(Scene, SomebodyWhoWalksStandsOnTheFloor)
 {
   const Walker walker{{0, 0}, {10, 0}, 1.2, 0.0, 1.75};
-  for (double time = 0.0; time < 2.0; time += 0.1) {
+  for (int tenth = 0; tenth < 20; ++tenth) {
+    const double time = 0.1 * tenth;
     std::vector<Solid> person;
     addPerson(person, walker.at(time));
     float low = 1e9F;

@@ -21,7 +21,8 @@ SimulatedCamera::Options small(const std::string& scene, const std::string& traj
 Eigen::Vector3d point(const PinholeCamera& camera, std::size_t pixel, float z)
 {
   const auto u = static_cast<double>(pixel % camera.width);
-  const auto v = static_cast<double>(pixel / camera.width);
+  const std::size_t row = pixel / camera.width;
+  const auto v = static_cast<double>(row);
   return z * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
 }
 

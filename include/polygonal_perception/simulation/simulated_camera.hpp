@@ -42,11 +42,15 @@ public:
     DepthNoise::Parameters noise;
   };
 
-  /// @throws std::invalid_argument for an unknown name or a parameter out of range
+  /// @throws std::invalid_argument for an unknown name, an empty image, or a rate or a parameter out of its
+  /// range
   explicit SimulatedCamera(const Options& options);
 
   const Options& options() const { return options_; }
   const Scene& scene() const { return *scene_; }
+
+  /// Where the camera is at time index / rate, from its optical frame into the world.
+  Eigen::Isometry3d pose(std::uint32_t index) const { return trajectory_->pose(index / options_.rate); }
 
   /// Renders the frame at time index / rate, the same whenever and in whichever order it is asked for.
   /// @param frame  its memory is used again
