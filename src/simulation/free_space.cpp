@@ -12,26 +12,35 @@ constexpr double kStep = 0.05;       // [m] between the points of a way that are
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Scene& scene, double radius, double low, double high)
-    : scene_(&scene), radius_(radius)
+FreeSpace::FreeSpace(const Scene& scene, double radius, double low, double high) : scene_(&scene)
 {
   for (const Solid& solid : scene.solids) {
     if (solid.surface != Surface::kObstacle) continue;
     Outline outline = footprint(solid, low, high);
-    if (outline.size() >= 3) occupied_.push_back(std::move(outline));
+    if (outline.size() >= 3) add(std::move(outline), radius);
   }
-  for (const Walker& walker : scene.walkers) lanes_.push_back({walker.from, walker.to});
+  for (const Walker& walker : scene.walkers) add({walker.from, walker.to}, radius + kHalfPerson);
+}
+
+void FreeSpace::add(Outline outline, double distance)
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& vertex : outline) sum += vertex;
+  const Eigen::Vector2d centre = sum / static_cast<double>(outline.size());
+  double reach = 0.0;
+  for (const Eigen::Vector2d& vertex : outline) reach = std::max(reach, (vertex - centre).norm());
+  hindrances_.push_back({std::move(outline), distance, centre, reach + distance});
 }
 
 bool FreeSpace::contains(const Eigen::Vector2d& point) const
 {
   const auto holds = [&](const Outline& outline) { return distanceTo(outline, point) == 0.0; };
-  const auto near = [&](double distance) {
-    return [&point, distance](const Outline& outline) { return distanceTo(outline, point) < distance; };
+  const auto hinders = [&](const Hindrance& hindrance) {
+    return (hindrance.centre - point).norm() < hindrance.reach &&
+           distanceTo(hindrance.outline, point) < hindrance.distance;
   };
   return std::any_of(scene_->floor.begin(), scene_->floor.end(), holds) &&
-         std::none_of(occupied_.begin(), occupied_.end(), near(radius_)) &&
-         std::none_of(lanes_.begin(), lanes_.end(), near(radius_ + kHalfPerson));
+         std::none_of(hindrances_.begin(), hindrances_.end(), hinders);
 }
 
 bool FreeSpace::containsSegment(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const

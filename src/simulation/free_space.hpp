@@ -21,10 +21,18 @@ public:
   bool containsSegment(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
 private:
+  /// What must stay at a distance, with a circle around it that rules most of it out at once.
+  struct Hindrance
+  {
+    Outline outline;
+    double distance;
+    Eigen::Vector2d centre;
+    double reach;
+  };
+  void add(Outline outline, double distance);
+
   const Scene* scene_;
-  double radius_;
-  std::vector<Outline> occupied_;
-  std::vector<Outline> lanes_;
+  std::vector<Hindrance> hindrances_;
 };
 
 }  // namespace simulation

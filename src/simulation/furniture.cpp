@@ -310,7 +310,7 @@ void addMat(const Assembly& at, Random& random)
   const HalfSize half(random.uniform(0.3, 0.7), random.uniform(0.4, 1.2));
   at.of(Surface::kFloor)
       .reflecting(random.uniform(0.1, 0.6))
-      .box({-half.x(), -half.y(), -0.001}, {half.x(), half.y(), random.uniform(0.003, 0.008)});
+      .box({-half.x(), -half.y(), -0.001}, {half.x(), half.y(), random.uniform(0.002, 0.005)});
 }
 
 }  // namespace simulation

@@ -10,6 +10,7 @@ namespace simulation {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+constexpr double kTurn = 0.25;  // [m] before and after the end of the way over which a walker turns round
 
 /// A point `length` below another, swung forwards by an angle.
 Eigen::Vector3d swung(const Eigen::Vector3d& from, double length, double angle)
@@ -80,7 +81,10 @@ PersonPose Walker::at(double time) const
   const double gone = std::fmod(start + speed * time, 2.0 * length);
   const bool back = gone > length;
   pose.position = from + way * ((back ? 2.0 * length - gone : gone) / length);
-  pose.yaw = std::atan2(way.y(), way.x()) + (back ? kPi : 0.0);
+  // -1 before, 1 after passing a mark of the way, and in between while turning.
+  const auto passed = [gone](double mark) { return std::max(-1.0, std::min(1.0, (gone - mark) / kTurn)); };
+  pose.yaw =
+      std::atan2(way.y(), way.x()) + 0.5 * kPi * (1.0 + passed(0.0) + passed(length) + passed(2.0 * length));
   // A stride of two steps is about 0.8 of the stature long.
   pose.stride = 2.0 * kPi * (start + speed * time) / (0.8 * stature);
   pose.stride_amplitude = 0.42;

@@ -18,8 +18,9 @@ struct RoutePose
 /// @throws std::runtime_error when none is found
 RoutePose drawPose(const FreeSpace& space, const ViewArea& area, Random& random);
 
-/// A way through some places and back again, for ever, easing in and out of each leg. The heading turns as
-/// the place moves: Robotino and a hand can go sideways.
+/// A closed way through some places, easing in and out of each leg. In areas that are there to be looked at
+/// from all sides the camera looks where it goes and turns on the spot; in the others it keeps the area's
+/// headings, going sideways or backwards as Robotino and a hand can.
 class Route
 {
 public:
@@ -35,8 +36,10 @@ public:
   RoutePose at(double time) const;
 
 private:
-  std::vector<RoutePose> places_;
-  std::vector<double> arrivals_;  // [s] at each place, the first at 0
+  void addPlace(const RoutePose& place, const Pace& pace);
+
+  std::vector<RoutePose> places_;  // the last is the first again
+  std::vector<double> arrivals_;   // [s] at each place, the first at 0
 };
 
 }  // namespace simulation

@@ -16,8 +16,9 @@ struct Layout
   void (*lay_out)(Scene&, Random&);
 };
 
-constexpr std::array<Layout, 8> kLayouts{{{"corridor", layOutCorridor},
+constexpr std::array<Layout, 9> kLayouts{{{"corridor", layOutCorridor},
                                           {"office", layOutOffice},
+                                          {"busy_office", layOutBusyOffice},
                                           {"person", layOutPerson},
                                           {"table_top", layOutTableTop},
                                           {"wall", layOutWall},
@@ -69,7 +70,9 @@ Scene makeScene(const std::string& name, std::uint64_t seed)
     kLayouts[i].lay_out(scene, random);
     return scene;
   }
-  throw std::invalid_argument("no scene is named '" + name + "'");
+  std::string known;
+  for (const std::string& other : sceneNames()) known += ' ' + other;
+  throw std::invalid_argument("no scene is named '" + name + "'; there are:" + known);
 }
 
 }  // namespace simulation

@@ -9,6 +9,7 @@ namespace simulation {
 // Each lays out one kind of scene; see sceneNames().
 void layOutCorridor(Scene& scene, Random& random);
 void layOutOffice(Scene& scene, Random& random);
+void layOutBusyOffice(Scene& scene, Random& random);
 void layOutPerson(Scene& scene, Random& random);
 void layOutTableTop(Scene& scene, Random& random);
 void layOutWall(Scene& scene, Random& random);

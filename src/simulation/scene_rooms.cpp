@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "room.hpp"
+#include "route.hpp"
 #include "scene_layouts.hpp"
 
 namespace polygonal_perception {
@@ -10,6 +11,8 @@ namespace simulation {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+constexpr double kWalkerRadius = 0.35;  // [m] somebody who walks keeps clear of things by this
+constexpr double kLongestWalk = 3.0;    // [m]
 
 /// A room around the origin with a ceiling, and with windows in all walls but, if asked, the one at the high
 /// x.
@@ -109,6 +112,26 @@ void layOutOffice(Scene& scene, Random& random)
     if (clearances.take(visitor.position, 0.35)) addPerson(scene.solids, visitor);
   }
   scene.view_areas.push_back(everywhere(shrunk(room, 0.5)));
+}
+
+void layOutBusyOffice(Scene& scene, Random& random)
+{
+  layOutOffice(scene, random);
+  const FreeSpace space(scene, kWalkerRadius, 0.0, 2.0);
+  Walker walker;
+  walker.speed = random.uniform(0.5, 1.2);
+  walker.stature = random.uniform(1.55, 1.92);
+  // The longest of many short ways: a robot has to find room beside it.
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector2d from = drawPose(space, scene.view_areas[0], random).position;
+    const Eigen::Vector2d to = drawPose(space, scene.view_areas[0], random).position;
+    const double length = (to - from).norm();
+    if (length > kLongestWalk || length < (walker.to - walker.from).norm()) continue;
+    if (!space.containsSegment(from, to)) continue;
+    walker.from = from;
+    walker.to = to;
+  }
+  scene.walkers.push_back(walker);
 }
 
 void layOutPerson(Scene& scene, Random& random)

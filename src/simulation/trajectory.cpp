@@ -237,7 +237,9 @@ std::unique_ptr<Trajectory> makeTrajectory(const std::string& name, const Scene&
   if (name == "smooth_high") return std::make_unique<HandheldTrajectory>(scene, random, kHigh);
   if (name == "independent_low") return std::make_unique<IndependentTrajectory>(scene, seed, kLow);
   if (name == "independent_high") return std::make_unique<IndependentTrajectory>(scene, seed, kHigh);
-  throw std::invalid_argument("no trajectory is named '" + name + "'");
+  std::string known;
+  for (const std::string& other : trajectoryNames()) known += ' ' + other;
+  throw std::invalid_argument("no trajectory is named '" + name + "'; there are:" + known);
 }
 
 }  // namespace simulation

@@ -124,6 +124,7 @@ TEST(DepthNoise, FlatDarkNearAndFarSurfacesAreLost)
     image.reflectance.assign(camera.size(), reflectance);
     DepthNoise::Parameters p;
     p.blobs = 0.0;
+    p.dead_columns = 0;
     std::vector<float> depth;
     DepthNoise(p, 1).apply(camera, image, 0, depth);
     return static_cast<double>(lost(depth)) / static_cast<double>(camera.size());
@@ -151,9 +152,21 @@ TEST(DepthNoise, EdgesFrayAndFlatPartsStay)
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (!std::isnan(depth[i])) continue;
     ++gone;
-    EXPECT_TRUE(i % 640 == 299 || i % 640 == 300) << i % 640;
+    EXPECT_TRUE(i % 640 >= 298 && i % 640 < 302) << i % 640;
   }
-  EXPECT_NEAR(static_cast<double>(gone), 480.0, 60.0) << "half of two columns";
+  EXPECT_NEAR(static_cast<double>(gone), 960.0, 200.0) << "half of four columns, in patches of 3 x 3";
+}
+
+TEST(DepthNoise, RightEndIsBlind)
+{
+  DepthNoise::Parameters p = DepthNoise::Parameters::none();
+  p.dead_columns = 8;
+  const PinholeCamera camera = PinholeCamera::ofSize(320, 240);
+  std::vector<float> depth;
+  DepthNoise(p, 1).apply(camera, wall(camera, 2.0F), 0, depth);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    ASSERT_EQ(std::isnan(depth[i]), i % 320 >= 316) << "four columns of half the size, pixel " << i;
+  }
 }
 
 TEST(DepthNoise, AFrameHasTheSameNoiseWhenItIsAskedForAgain)

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "polygonal_perception/simulation/scene.hpp"
@@ -90,6 +91,40 @@ TEST(Scene, SomebodyWhoWalksStandsOnTheFloor)
     }
     EXPECT_NEAR(low, 0.0F, 0.01F) << time;
     EXPECT_NEAR(high, 1.75F, 0.15F) << time;
+  }
+}
+
+TEST(Scene, SomebodyWhoWalksTurnsRoundSmoothly)
+{
+  const Walker walker{{0, 0}, {2, 1}, 1.0, 0.3, 1.75};
+  PersonPose last = walker.at(0.0);
+  for (int frame = 1; frame < 300; ++frame) {
+    const PersonPose pose = walker.at(frame / 30.0);
+    EXPECT_LT((pose.position - last.position).norm(), 1.01 / 30.0) << frame;
+    EXPECT_LT(std::abs(std::remainder(pose.yaw - last.yaw, 2.0 * M_PI)), 0.25) << frame;
+    last = pose;
+  }
+  const PersonPose there = walker.at(0.5);
+  EXPECT_NEAR(std::remainder(there.yaw - std::atan2(1, 2), 2.0 * M_PI), 0.0, 1e-9);
+  const PersonPose back = walker.at(3.0);
+  EXPECT_NEAR(std::abs(std::remainder(back.yaw - std::atan2(1, 2), 2.0 * M_PI)), M_PI, 1e-9);
+}
+
+TEST(Scene, SomebodyWalksInABusyOfficeAndThroughNothing)
+{
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Scene scene = makeScene("busy_office", seed);
+    ASSERT_EQ(scene.walkers.size(), 1U);
+    const Walker& walker = scene.walkers[0];
+    EXPECT_GT((walker.to - walker.from).norm(), 1.0) << seed;
+    Scene furniture = scene;
+    furniture.walkers.clear();
+    for (double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Eigen::Vector2d place = walker.from + part * (walker.to - walker.from);
+      for (const Outline& outline : furniture.obstacles(0.0, 0.05, 2.0)) {
+        EXPECT_GT(distanceTo(outline, place), 0.3) << seed;
+      }
+    }
   }
 }
 

@@ -139,9 +139,9 @@ TEST_F(SimulatedCameraTopics, TruthAgreesWithTheTransformsAndTheCloud)
   const sensor_msgs::PointCloud2& cloud = *points_.at(stamp);
   std::size_t on_floor = 0;
   for (std::size_t i = 0; i < std::size_t{640} * 480; ++i) {
-    // Mats are part of the floor and up to 8 mm thick.
+    // Mats are part of the floor and up to 5 mm thick.
     const double height = up.dot(point(cloud, i).cast<double>()) + camera.translation.z;
-    on_floor += static_cast<std::size_t>(height > -0.001 && height < 0.009);
+    on_floor += static_cast<std::size_t>(height > -0.001 && height < 0.006);
   }
   EXPECT_GT(floor.sample_count, 3000U);
   EXPECT_GE(on_floor, floor.sample_count);

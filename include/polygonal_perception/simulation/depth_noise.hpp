@@ -28,11 +28,13 @@ public:
     double disparity_focal = 570.3;  ///< [px] focal length at the resolution at which the sensor matches
     double disparity_step = 0.125;   ///< [px] 0: no steps
     bool shadows = true;             ///< what the projector does not light has no return
-    double edge_loss = 0.5;          ///< probability that a pixel at a jump of depth has no return
+    double edge_loss = 0.5;          ///< share of the pixels beside a jump of depth that have no return
+    int edge_width = 2;              ///< [px] on each side of a jump
     double edge_jitter = 2.0;        ///< [px] how ragged edges are
     double blobs = 6.0;              ///< holes a frame, on average
     double blob_radius = 12.0;       ///< [px] at a width of 640; drawn up to twice and down to a fifth of it
-    double grazing_cosine = 0.10;    ///< surfaces seen flatter than about this have no return
+    int dead_columns = 8;  ///< [px] at the right end, at a width of 640: the matcher's window ends there
+    double grazing_cosine = 0.10;  ///< surfaces seen flatter than about this have no return
     double dark_range =
         11.0;                ///< [m] a surface of reflectance r is seen up to this times sqrt(r); 0 = all are
     double min_range = 0.4;  ///< [m]
@@ -56,9 +58,11 @@ public:
       visit("disparity_step", self.disparity_step, Range{0.0, 4.0}, "px",
             "Quantisation of disparity; 0 = none.");
       visit("edge_loss", self.edge_loss, Range{0.0, 1.0}, "", "Share of the pixels at edges that are lost.");
+      visit("edge_width", self.edge_width, Range{1, 20}, "px", "How far edges reach to each side.");
       visit("edge_jitter", self.edge_jitter, Range{0.0, 8.0}, "px", "Raggedness of edges.");
       visit("blobs", self.blobs, Range{0.0, 1000.0}, "", "Holes a frame.");
       visit("blob_radius", self.blob_radius, Range{0.0, 200.0}, "px", "Their size at a width of 640.");
+      visit("dead_columns", self.dead_columns, Range{0, 640}, "px", "At the right end, at a width of 640.");
       visit("grazing_cosine", self.grazing_cosine, Range{0.0, 1.0}, "", "Flatter surfaces are lost.");
       visit("dark_range", self.dark_range, Range{0.0, 100.0}, "m",
             "Range on a perfectly bright surface; 0 = any.");
@@ -77,19 +81,21 @@ public:
              std::vector<float>& depth);
 
 private:
-  void drawField(const PinholeCamera& camera, std::uint64_t frame_seed);
-  void castShadows(const PinholeCamera& camera);
-  void punchBlobs(const PinholeCamera& camera, std::uint64_t frame_seed);
+  void markDropouts(const PinholeCamera& camera, const RayImage& image, std::uint64_t frame_seed);
+  /// Normal numbers that are the same over a patch of pixels.
+  float patchField(const PinholeCamera& camera, std::size_t u, std::size_t v) const;
+  /// The pixel whose surface is taken for that of (u, v), at an edge.
+  std::size_t strayed(const PinholeCamera& camera, std::size_t u, std::size_t v, std::uint64_t bits) const;
+  bool reflects(const RayImage& image, std::size_t i, float field) const;
   float measured(float depth, float field) const;
-  bool isEdge(const PinholeCamera& camera, std::size_t u, std::size_t v) const;
 
   Parameters parameters_;
   std::uint64_t seed_;
   std::vector<float> field_;  // correlated, standard normal
   std::vector<float> scratch_;
   std::vector<float> disparity_;  // [px] of the ideal image, 0 = no return
-  std::vector<float> lit_;        // [px] the largest disparity in each column of the projector
   std::vector<std::uint8_t> lost_;
+  std::vector<std::uint8_t> edge_;
 };
 
 }  // namespace simulation

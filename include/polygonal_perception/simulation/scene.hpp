@@ -40,7 +40,8 @@ struct Scene
   std::vector<Outline> obstacles(double time, double min_height, double max_height) const;
 };
 
-/// The kinds of scenes: corridor, office, person, table_top, wall, doorway, stairs, ledge.
+/// The kinds of scenes: corridor, office, busy_office (somebody walks about in it), person, table_top, wall,
+/// doorway, stairs, ledge.
 const std::vector<std::string>& sceneNames();
 
 /// Lays a scene out. Another seed moves, swaps and resizes everything in it.
