@@ -1,0 +1,139 @@
+// Measures the speed contract: how long a 640 x 480 frame of an office takes from its points to its polygons,
+// in units of one read pass over the same frame's cloud. All of it is measured in turns, so that whatever
+// slows the machine down slows all of it down.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "camera_frames.hpp"
+#include "polygonal_perception/pipeline.hpp"
+#include "read_pass.hpp"
+
+namespace polygonal_perception {
+namespace benchmarks {
+namespace {
+
+constexpr int kRuns = 9;
+constexpr int kTurns = 15;  // in each run, over all the frames
+constexpr std::uint32_t kFrames = 4;
+
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <class Work>
+double timeOf(Work&& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return Microseconds(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The pipeline with one kind of input, driving round and round.
+class Subject
+{
+public:
+  explicit Subject(Input input) : input_(input), pipeline_(Pipeline::Parameters{}) {}
+
+  /// Processes a frame and says how long that took.
+  double operator()(const CameraFrame& camera_frame)
+  {
+    Frame frame;
+    frame.points = camera_frame.view(input_);
+    frame.stamp = stamp_ += kFramePeriod;
+    const double time = timeOf([&] { pipeline_.process(frame); });
+    const Pipeline::Result& result = pipeline_.result();
+    if (result.floor.status != FloorStatus::kFound || result.polygons.rings.empty()) {
+      std::fprintf(stderr, "%s: a frame without floor or polygons: there is nothing to measure\n",
+                   nameOf(input_));
+      std::exit(EXIT_FAILURE);
+    }
+    times_.push_back(result.times);
+    return time;
+  }
+
+  void printStages() const
+  {
+    const auto stage = [&](StageTimes::Duration StageTimes::*member) {
+      std::vector<double> times;
+      for (const StageTimes& t : times_) times.push_back(Microseconds(t.*member).count());
+      return median(times);
+    };
+    std::printf(
+        "%-12s samples %5.1f us, floor %5.1f us, projection %5.1f us, inflation %5.1f us, polygons %5.1f "
+        "us\n",
+        nameOf(input_), stage(&StageTimes::samples), stage(&StageTimes::floor),
+        stage(&StageTimes::projection), stage(&StageTimes::inflation), stage(&StageTimes::polygons));
+  }
+
+private:
+  Input input_;
+  Pipeline pipeline_;
+  double stamp_ = 0.0;
+  std::vector<StageTimes> times_;
+};
+
+/// Each frame's median over the turns of a run, summed over the frames.
+class Run
+{
+public:
+  void add(std::size_t frame, double time) { times_[frame].push_back(time); }
+  double total() const
+  {
+    double sum = 0.0;
+    for (const auto& times : times_) sum += median(times);
+    return sum;
+  }
+
+private:
+  std::vector<double> times_[kFrames];
+};
+
+int measure()
+{
+  const auto frames = drive(Surroundings::kOffice, 640, 480, kFrames);
+  Subject cloud(Input::kCloud16);
+  Subject depth(Input::kDepthMillimetres);
+  std::vector<double> cloud_passes;
+  std::vector<double> depth_passes;
+  volatile std::uint64_t sum = 0;
+
+  for (int run = 0; run < kRuns; ++run) {
+    Run reads;
+    Run clouds;
+    Run depths;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      for (std::size_t k = 0; k < frames.size(); ++k) {
+        const std::vector<float>& bytes = frames[k]->cloud16();
+        reads.add(k, timeOf([&] { sum = readPass(bytes.data(), bytes.size() * sizeof(float)); }));
+        clouds.add(k, cloud(*frames[k]));
+        depths.add(k, depth(*frames[k]));
+      }
+    }
+    cloud_passes.push_back(clouds.total() / reads.total());
+    depth_passes.push_back(depths.total() / reads.total());
+    std::printf("run %d: a read pass %.1f us, cloud %.1f us (%.2f), depth %.1f us (%.2f)\n", run + 1,
+                reads.total() / kFrames, clouds.total() / kFrames, cloud_passes.back(),
+                depths.total() / kFrames, depth_passes.back());
+  }
+  cloud.printStages();
+  depth.printStages();
+  std::printf("read passes: cloud %.2f, depth %.2f\n", median(cloud_passes), median(depth_passes));
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace benchmarks
+}  // namespace polygonal_perception
+
+int main()
+{
+  return polygonal_perception::benchmarks::measure();
+}
