@@ -39,7 +39,7 @@ sensor_msgs::PointCloud2 officeMessage()
 
 Cloud::Ptr officeCloud()
 {
-  const Cloud::Ptr cloud(new Cloud);
+  Cloud::Ptr cloud(new Cloud);
   pcl::fromROSMsg(officeMessage(), *cloud);
   return cloud;
 }

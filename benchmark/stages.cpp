@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstring>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <tuple>
@@ -33,6 +34,13 @@ constexpr Surroundings kSurroundings[] = {Surroundings::kOffice, Surroundings::k
 std::string nameOf(Surroundings surroundings)
 {
   return surroundings == Surroundings::kOffice ? "office" : "empty";
+}
+
+std::string joined(std::initializer_list<std::string> parts)
+{
+  std::string name;
+  for (const std::string& part : parts) name += (name.empty() ? "" : "/") + part;
+  return name;
 }
 
 /// The first frame of a drive, rendered when it is first asked for.
@@ -163,9 +171,9 @@ void pipelineOf(benchmark::State& state, Input input, Surroundings surroundings,
 }
 
 template <class... Arguments>
-void add(const std::string& name, Arguments&&... arguments)
+void add(std::initializer_list<std::string> name, Arguments&&... arguments)
 {
-  benchmark::RegisterBenchmark(name.c_str(), std::forward<Arguments>(arguments)...)
+  benchmark::RegisterBenchmark(joined(name).c_str(), std::forward<Arguments>(arguments)...)
       ->Unit(benchmark::kMicrosecond);
 }
 
@@ -173,37 +181,34 @@ void registerAll()
 {
   const ProjectionKernel& widest = projectionKernels().back();
   for (const Size& size : kSizes) {
-    add(std::string("read_pass/") + size.name, readPassOf, size);
-    add(std::string("memcpy/") + size.name, copyOf, size);
+    add({"read_pass", size.name}, readPassOf, size);
+    add({"memcpy", size.name}, copyOf, size);
   }
   for (const Input input : kInputs) {
-    const std::string of = std::string("/") + nameOf(input);
+    const std::string of = nameOf(input);
     for (const int samples : {16, 32, 64, 128}) {
-      const std::string grid = "/" + std::to_string(samples) + "x" + std::to_string(samples);
-      add("samples" + of + grid, samplesOf, input, samples);
-      add("floor" + of + grid, floorOf, input, samples);
+      const std::string grid = std::to_string(samples) + "x" + std::to_string(samples);
+      add({"samples", of, grid}, samplesOf, input, samples);
+      add({"floor", of, grid}, floorOf, input, samples);
+      add({"pipeline", of, "office", "VGA", grid}, pipelineOf, input, Surroundings::kOffice, kVga, samples);
     }
     for (const Surroundings surroundings : kSurroundings) {
       for (const Size& size : kSizes) {
-        const std::string scene = of + "/" + nameOf(surroundings) + "/" + size.name;
-        add("projection" + scene, projectionOf, input, surroundings, size, widest, 1);
-        add("pipeline" + scene, pipelineOf, input, surroundings, size, 32);
+        add({"projection", of, nameOf(surroundings), size.name}, projectionOf, input, surroundings, size,
+            widest, 1);
+        add({"pipeline", of, nameOf(surroundings), size.name}, pipelineOf, input, surroundings, size, 32);
       }
     }
-    for (const int samples : {16, 64, 128}) {
-      add("pipeline" + of + "/office/VGA/" + std::to_string(samples) + "x" + std::to_string(samples),
-          pipelineOf, input, Surroundings::kOffice, kVga, samples);
-    }
     for (const ProjectionKernel& kernel : projectionKernels()) {
-      add("projection" + of + "/office/VGA/" + kernel.name, projectionOf, input, Surroundings::kOffice, kVga,
+      add({"projection", of, "office", "VGA", kernel.name}, projectionOf, input, Surroundings::kOffice, kVga,
           kernel, 1);
     }
-    add("projection" + of + "/office/VGA/min_points_per_cell:3", projectionOf, input, Surroundings::kOffice,
-        kVga, widest, 3);
-    add("obstacle_points" + of, collectionOf, input);
+    add({"projection", of, "office", "VGA", "min_points_per_cell:3"}, projectionOf, input,
+        Surroundings::kOffice, kVga, widest, 3);
+    add({"obstacle_points", of}, collectionOf, input);
   }
-  add("inflation", inflationOf);
-  add("polygons", polygonsOf);
+  add({"inflation"}, inflationOf);
+  add({"polygons"}, polygonsOf);
 }
 
 }  // namespace
