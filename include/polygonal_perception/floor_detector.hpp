@@ -113,15 +113,6 @@ public:
 
 private:
   struct Workspace;
-  struct Candidate;
-
-  void takePixels(const PointView& points);
-  void collectCandidates(const SampleGrid& grid, const FloorPrior& prior);
-  std::optional<Candidate> examine(const Plane& hypothesis, const FloorPrior& prior);
-  Candidate* choose(const FloorPrior& prior);
-  std::optional<DetectedFloor> refine(const Candidate& candidate, const FloorPrior& prior);
-  void noteOtherPlanes(DetectedFloor& floor) const;
-  void label(const SampleGrid& grid, DetectedFloor* floor);
 
   Parameters parameters_;
   std::vector<SampleLabel> labels_;

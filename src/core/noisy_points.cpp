@@ -39,7 +39,12 @@ void NoisyPoints::compare(const Plane& plane, const Band& band)
   constexpr float kBelowBase = 0.05F;
   constexpr float kBelowPerMetre = 0.02F;
   constexpr float kBelowSigmas = 3.0F;
+  // What the noise model does not hold, quantisation and a lens that bends far floors: without it the nearest points
+  // would decide alone, and a far floor would stand out of a plane that is tangential to the near one.
+  constexpr float kLeastSigma = 0.003F;          // [m]
+  constexpr float kLeastSigmaPerMetre = 0.003F;  // [m/m]
   measure();
+  sigma_.resize(size());
   height_.resize(size());
   on_.resize(size());
   below_.resize(size());
@@ -56,19 +61,22 @@ void NoisyPoints::compare(const Plane& plane, const Band& band)
   const float* __restrict const z = z_.data();
   const float* __restrict const range = range_.data();
   const float* __restrict const relative_noise = relative_noise_.data();
+  float* __restrict const sigmas = sigma_.data();
   float* __restrict const heights = height_.data();
   std::int32_t* __restrict const on = on_.data();
   std::int32_t* __restrict const below = below_.data();
   const std::size_t count = size();
   for (std::size_t k = 0; k < count; ++k) {
     const float along = nx * x[k] + ny * y[k] + nz * z[k];
-    const float sigma = relative_noise[k] * std::abs(along);
-    const float half_width =
-        std::min(band.widest, band.base + band.sigmas * sigma + band.per_metre * range[k]);
+    const float noise = relative_noise[k] * std::abs(along);
+    const float sigma = noise + kLeastSigma + kLeastSigmaPerMetre * range[k];
+    const float half_width = std::min(band.widest, band.sigmas * sigma);
+    sigmas[k] = sigma;
     const float height = along + d;
     heights[k] = height;
     on[k] = std::abs(height) < half_width ? 1 : 0;
-    below[k] = height < -(kBelowBase + kBelowPerMetre * range[k] + kBelowSigmas * sigma) ? 1 : 0;
+    const float margin = kBelowBase + kBelowPerMetre * range[k] + kBelowSigmas * noise;
+    below[k] = (height < -margin) & (-along < band.deepest + margin) ? 1 : 0;
   }
 }
 
@@ -88,17 +96,6 @@ bool NoisyPoints::runsAlong(std::size_t k, std::size_t neighbour) const
       std::abs(height_[neighbour] - height_[k]) - kSigmas * relative_noise_[k] * camera_height_;
   // Written so that NaN is no step at all.
   return !(rise > 0.0F && rise * rise > kSteepest * kSteepest * (dx * dx + dy * dy + dz * dz));
-}
-
-float NoisyPoints::weight(std::size_t k) const
-{
-  // What the noise model does not hold, quantisation and a lens that bends far floors: without it the nearest
-  // points would decide alone, and a far floor would stand out of a plane that is tangential to the near one.
-  constexpr float kLeastSigma = 0.003F;          // [m]
-  constexpr float kLeastSigmaPerMetre = 0.006F;  // [m/m]
-  const float least = kLeastSigma + kLeastSigmaPerMetre * range_[k];
-  const float sigma = relative_noise_[k] * camera_height_;
-  return 1.0F / (least * least + sigma * sigma);
 }
 
 }  // namespace polygonal_perception

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,10 +23,11 @@ public:
   /// How far from a plane a point may lie and still count as one of it.
   struct Band
   {
-    float base;       ///< [m]
-    float sigmas;     ///< times the standard deviation of its height
-    float per_metre;  ///< [m/m] times its range: lens distortion bends far floors
-    float widest;     ///< [m]
+    float sigmas;  ///< times the standard deviation of its height
+    float widest;  ///< [m]
+    /// [m] What lies deeper than this under the camera does not count as below the plane: it is beyond every floor that
+    /// the camera can stand on.
+    float deepest;
   };
 
   /// How the points lie about a plane.
@@ -52,25 +54,30 @@ public:
   /// neighbour without a return says nothing against it.
   bool runsAlong(std::size_t k, std::size_t neighbour) const;
 
-  /// Collects accepted points in the band, each weighted by the inverse variance of its height.
+  /// Picks accepted points in the band.
   /// @param accept  called with the index of a point in the band
-  /// @param enough  of a band that holds more points than twice this, only every second, third, ... is taken
+  /// @param enough  of a band that holds more points than twice this, only every second, third, ... is looked at
+  /// @param picked  their indices, filled anew
   template <class Accept>
-  PlaneFit fit(Accept&& accept, std::size_t enough) const
+  void pick(Accept&& accept, std::size_t enough, std::vector<std::uint32_t>& picked) const
   {
-    PlaneFit fit;
+    picked.clear();
     const std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / enough);
     std::size_t skip = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
+    for (std::uint32_t k = 0; k < size(); ++k) {
       if (!on(k) || skip-- != 0) continue;
       skip = step - 1;
-      if (accept(k)) fit.add(x_[k], y_[k], z_[k], weight(k));
+      if (accept(k)) picked.push_back(k);
     }
-    return fit;
   }
 
+  /// Distance of point k from the plane in units of its standard deviation.
+  float deviation(std::size_t k) const { return std::abs(height_[k]) / sigma_[k]; }
+
+  /// Adds point k to a fit, weighted by the inverse variance of its height.
+  void addTo(PlaneFit& fit, std::size_t k) const { fit.add(x_[k], y_[k], z_[k], 1.0F / (sigma_[k] * sigma_[k])); }
+
 private:
-  float weight(std::size_t k) const;
   void measure();
 
   std::vector<float> x_, y_, z_;
@@ -78,6 +85,7 @@ private:
   // What the last comparison gave.
   float camera_height_ = 0.0F;
   std::vector<float> height_;
+  std::vector<float> sigma_;  // standard deviation of the height
   std::vector<std::int32_t> on_;
   std::vector<std::int32_t> below_;
 };

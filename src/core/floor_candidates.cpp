@@ -1,0 +1,249 @@
+#include "floor_candidates.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "plane_fit.hpp"
+
+namespace polygonal_perception {
+
+namespace {
+
+/// A sample's normal is noisy, so it may tilt this much more than the floor itself.
+constexpr double kNormalSlack = 0.15;  // [rad]
+/// A seed is a rough guess of the camera's attitude: a floor may tilt this much more from it than from a measured up.
+constexpr double kSeedSlack = 0.15;  // [rad]
+/// The floor's normal turns less than this between two frames of a camera that is moved by hand. What is not the lowest
+/// plane of the frame must look more like the last floor to be taken for it.
+constexpr double kTurn = 0.26;        // [rad] 15 degrees
+constexpr double kTurnAtDrop = 0.08;  // [rad]
+
+constexpr std::size_t kMostCandidates = 8;
+constexpr std::uint32_t kSmallestSegment = 4;
+/// The least share of all samples that must lie on a floor, and how many of those must have a normal that agrees.
+constexpr double kLeastSupport = 0.006;
+constexpr double kLeastAgreeing = 0.4;
+/// Cosine of the largest angle between a plane's normal and that of a sample that belongs to it: 26 degrees, two and a
+/// half times the noise of a sample's normal 4 m away.
+constexpr float kAgree = 0.9F;
+/// A point this many standard deviations off a plane is not of it.
+constexpr float kOnSigmas = 3.0F;
+/// Below the lowest floor that the camera can stand on less this, nothing can be the floor instead of a plane.
+constexpr double kNothingBetween = 0.3;  // [m]
+
+}  // namespace
+
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters)
+{
+  return {kOnSigmas, static_cast<float>(parameters.merge_distance), static_cast<float>(parameters.max_camera_height)};
+}
+
+bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally, const FloorDetector::Parameters& parameters)
+{
+  return plane.distance > parameters.max_camera_height - kNothingBetween ||
+         tally.below * parameters.replacement_factor <= tally.on;
+}
+
+void FloorCandidates::collect(const SampleGrid& grid, const FloorDetector::Parameters& parameters,
+                              const FloorPrior& prior)
+{
+  const double gate = parameters.max_tilt + kNormalSlack + (prior.up_is_measured ? 0.0 : kSeedSlack);
+  segmentation_.segment(grid, prior.up.cast<float>(), static_cast<float>(std::cos(gate)),
+                        static_cast<float>(parameters.cluster_distance));
+  takeSamples(grid);
+  lowest_possible_ = parameters.max_camera_height - kNothingBetween;
+
+  candidates_.clear();
+  if (prior.height && prior.up_is_measured) examine({prior.up, *prior.height}, parameters, prior);
+  const auto& segments = segmentation_.segments();
+  by_size_.clear();
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    if (segments[s].size >= kSmallestSegment) by_size_.push_back(s);
+  }
+  std::sort(by_size_.begin(), by_size_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return segments[a].size > segments[b].size; });
+  for (const std::uint32_t s : by_size_) {
+    if (candidates_.size() >= kMostCandidates) break;
+    if (known(grid, segments[s])) continue;
+    if (const auto plane = planeOf(grid, segments[s], prior)) examine(*plane, parameters, prior);
+  }
+}
+
+void FloorCandidates::takeSamples(const SampleGrid& grid)
+{
+  samples_.clear();
+  sample_index_.clear();
+  normals_.clear();
+  for (std::uint32_t k = 0; k < grid.samples().size(); ++k) {
+    const Sample& sample = grid.samples()[k];
+    if (!sample.has_point) continue;
+    const bool upright = segmentation_.segmentOf()[k] != Segmentation::kNone;
+    samples_.add(sample.point);
+    sample_index_.push_back(k);
+    normals_.push_back(upright ? sample.normal : Eigen::Vector3f::Zero());
+  }
+}
+
+bool FloorCandidates::known(const SampleGrid& grid, const Segmentation::Segment& segment) const
+{
+  constexpr double kSameDistance = 0.02;  // [m]
+  constexpr float kSameNormal = 0.998F;   // cosine of 3.6 degrees
+  const auto& members = segmentation_.members();
+  return std::any_of(candidates_.begin(), candidates_.end(), [&](const FloorCandidate& candidate) {
+    std::uint32_t shared = 0;
+    for (std::uint32_t k = segment.first; k < segment.first + segment.size; ++k) {
+      const Sample& sample = grid.samples()[members[k]];
+      shared += std::abs(candidate.plane.height(sample.point.cast<double>())) < kSameDistance &&
+                        sample.normal.dot(candidate.plane.normal.cast<float>()) > kSameNormal
+                    ? 1
+                    : 0;
+    }
+    return 2 * shared > segment.size;
+  });
+}
+
+std::optional<Plane> FloorCandidates::planeOf(const SampleGrid& grid, const Segmentation::Segment& segment,
+                                              const FloorPrior& prior) const
+{
+  // Up to here the fit is worth more than the mean of the normals.
+  constexpr double kUncertain = 0.03;  // [rad]
+  const auto& members = segmentation_.members();
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  PlaneFit fit;
+  for (std::uint32_t k = segment.first; k < segment.first + segment.size; ++k) {
+    const Sample& sample = grid.samples()[members[k]];
+    point += sample.point.cast<double>();
+    normal += sample.normal.cast<double>();
+    fit.add(sample.point.x(), sample.point.y(), sample.point.z(), 1.0F / sample.point.squaredNorm());
+  }
+  const auto solution = fit.solve(prior.up);
+  if (solution && solution->normal_sigma < kUncertain) return solution->plane;
+  if (!(normal.norm() > 0.0)) return std::nullopt;
+  normal.normalize();
+  return Plane{normal, -normal.dot(point) / segment.size};
+}
+
+void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior)
+{
+  constexpr int kRounds = 2;
+  const NoisyPoints::Band band = bandOf(parameters);
+  FloorCandidate candidate;
+  candidate.plane = hypothesis;
+  Eigen::Vector3f normals;
+  for (int round = 0; round < kRounds; ++round) {
+    samples_.compare(candidate.plane, band);
+    const Eigen::Vector3f normal = candidate.plane.normal.cast<float>();
+    samples_.pick([&](std::size_t k) { return normals_[k].dot(normal) > kAgree; }, samples_.size(), picked_);
+    PlaneFit fit;
+    normals.setZero();
+    for (const std::uint32_t k : picked_) {
+      samples_.addTo(fit, k);
+      normals += normals_[k];
+    }
+    const auto solution = fit.solve(prior.up);
+    if (!solution) return;
+    candidate.plane = solution->plane;
+  }
+
+  const Plane& plane = candidate.plane;
+  candidate.tilt = angleBetween(plane.normal, prior.up);
+  candidate.disagreement = angleBetween(plane.normal, normals.cast<double>());
+  if (candidate.tilt > parameters.max_tilt + (prior.up_is_measured ? 0.0 : kSeedSlack)) return;
+  if (plane.distance < parameters.min_camera_height || plane.distance > parameters.max_camera_height) return;
+  samples_.compare(plane, band);
+  candidate.tally = samples_.tally();
+  if (static_cast<double>(picked_.size()) < kLeastAgreeing * candidate.tally.on ||
+      candidate.tally.on < kLeastSupport * static_cast<double>(segmentation_.segmentOf().size())) {
+    return;
+  }
+  candidate.lowest = isLowest(plane, candidate.tally, parameters);
+  candidate.continues = prior.height && std::abs(plane.distance - *prior.height) < prior.height_tolerance &&
+                        (!prior.up_is_measured || candidate.tilt < (candidate.lowest ? kTurn : kTurnAtDrop));
+  if (prior.height && !candidate.continues) {
+    constexpr double kSameOffset = 0.1;  // [m]
+    const double offset = *prior.height - plane.distance;
+    candidate.known_other = std::any_of(prior.others.begin(), prior.others.end(), [&](double other) {
+      return std::abs(offset - other) < kSameOffset + prior.height_tolerance;
+    });
+  }
+  candidates_.push_back(candidate);
+}
+
+double FloorCandidates::weight(const FloorCandidate& candidate) const
+{
+  // A tilt from the up vector at which a plane loses most of its weight.
+  constexpr double kTiltScale = 0.45;  // [rad]
+  // A plane that is laid through parts of two surfaces, a near table and a far floor, say, has many samples but is not
+  // parallel to the surface in any of them.
+  constexpr double kDisagreementScale = 0.05;  // [rad] 3 degrees
+  const double tilt = candidate.tilt / kTiltScale;
+  const double disagreement = candidate.disagreement / kDisagreementScale;
+  return candidate.tally.on * std::exp(-tilt * tilt - disagreement * disagreement);
+}
+
+bool FloorCandidates::under(const FloorCandidate& lower, const FloorCandidate& upper) const
+{
+  // What lies on the lower plane lies below the upper one. Heights alone would not tell: a steep fit through the foot
+  // of a wall cuts through the floor and passes far below the camera.
+  constexpr double kMostOf = 0.6;
+  return upper.plane.distance < lowest_possible_ && lower.plane.distance > upper.plane.distance &&
+         upper.tally.below > kMostOf * lower.tally.on;
+}
+
+FloorCandidate* FloorCandidates::best(const FloorPrior& prior)
+{
+  FloorCandidate* best = nullptr;
+  for (FloorCandidate& c : candidates_) {
+    const bool own = prior.firm && c.continues;
+    if (c.refused || c.known_other || !(own || c.lowest)) continue;
+    const bool best_is_own = best != nullptr && prior.firm && best->continues;
+    if (best == nullptr || own != best_is_own) {
+      if (best == nullptr || own) best = &c;
+    } else if ((!own && under(c, *best)) || (weight(c) > weight(*best) && (own || !under(*best, c)))) {
+      best = &c;
+    }
+  }
+  return best;
+}
+
+PlaneOffsets FloorCandidates::others(const Plane& floor) const
+{
+  constexpr double kParallel = 0.17;        // [rad] 10 degrees
+  constexpr double kLeastOffset = 0.15;     // [m]
+  constexpr double kLeastOfSamples = 0.02;  // a smaller plane would not be taken for the floor for long
+  PlaneOffsets offsets;
+  for (const FloorCandidate& c : candidates_) {
+    const double offset = floor.distance - c.plane.distance;
+    if (std::abs(offset) > kLeastOffset && angleBetween(c.plane.normal, floor.normal) < kParallel &&
+        c.tally.on > kLeastOfSamples * static_cast<double>(segmentation_.segmentOf().size())) {
+      offsets.add(offset);
+    }
+  }
+  return offsets;
+}
+
+std::uint32_t FloorCandidates::label(const std::optional<Plane>& floor, const FloorDetector::Parameters& parameters,
+                                     std::vector<SampleLabel>& labels)
+{
+  std::uint32_t count = 0;
+  labels.assign(segmentation_.segmentOf().size(), SampleLabel::kNoPoint);
+  if (floor) samples_.compare(*floor, bandOf(parameters));
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const bool upright = !normals_[k].isZero();
+    const bool on_floor = floor && upright && samples_.on(k);
+    labels[sample_index_[k]] = on_floor  ? SampleLabel::kFloor
+                               : upright ? SampleLabel::kSegment
+                                         : SampleLabel::kPruned;
+    count += on_floor ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace polygonal_perception

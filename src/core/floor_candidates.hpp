@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "noisy_points.hpp"
+#include "polygonal_perception/floor_detector.hpp"
+#include "segmentation.hpp"
+
+namespace polygonal_perception {
+
+/// The angle between two vectors of any length [rad].
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// The band in which a point counts as one of a plane.
+NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters);
+
+/// Whether hardly a point lies below a plane, or none that could be of a floor instead.
+bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally, const FloorDetector::Parameters& parameters);
+
+/// A level plane of the frame.
+struct FloorCandidate
+{
+  Plane plane;
+  NoisyPoints::Tally tally;    // of the samples
+  double tilt = 0.0;           // [rad] from the up vector
+  double disagreement = 0.0;   // [rad] between its normal and the mean of its samples' normals
+  bool lowest = false;         // hardly a sample lies below it
+  bool continues = false;      // it is where the last floor was
+  bool known_other = false;    // it is where another plane was seen with the last floor
+  bool refused = false;        // a closer look found that it is no floor
+};
+
+/// Finds the level planes among the samples of a frame and says which is most likely the floor (sections III-B to III-D).
+///
+/// It departs from algorithm 2 where that goes wrong. A plane is not the floor for being reached first along the up
+/// vector, which may be 40 degrees off, but because hardly a sample lies below it; segments are not merged by the distance of
+/// their averages but by holding every sample against the plane, with the noise that it has; and what was seen with the last
+/// floor decides where a frame alone could not: whether a lower plane is the floor under a table or a storey below.
+class FloorCandidates
+{
+public:
+  /// Collects the candidates of a frame anew. What is given must outlive the calls that follow.
+  void collect(const SampleGrid& grid, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
+
+  /// The most likely floor among those that are not refused yet, or nullptr.
+  FloorCandidate* best(const FloorPrior& prior);
+
+  bool empty() const { return candidates_.empty(); }
+
+  /// Where the other level planes lie about the floor.
+  PlaneOffsets others(const Plane& floor) const;
+
+  /// What became of each sample of the grid.
+  /// @return how many belong to the floor
+  std::uint32_t label(const std::optional<Plane>& floor, const FloorDetector::Parameters& parameters,
+                      std::vector<SampleLabel>& labels);
+
+private:
+  void takeSamples(const SampleGrid& grid);
+  std::optional<Plane> planeOf(const SampleGrid& grid, const Segmentation::Segment& segment, const FloorPrior& prior) const;
+  bool known(const SampleGrid& grid, const Segmentation::Segment& segment) const;
+  void examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
+  double weight(const FloorCandidate& candidate) const;
+  bool under(const FloorCandidate& lower, const FloorCandidate& upper) const;
+
+  Segmentation segmentation_;
+  NoisyPoints samples_;                      // those with a point
+  std::vector<std::uint32_t> sample_index_;  // their indices in the grid
+  std::vector<Eigen::Vector3f> normals_;     // their normals, zero where not upright
+  std::vector<std::uint32_t> by_size_;
+  std::vector<std::uint32_t> picked_;
+  std::vector<FloorCandidate> candidates_;
+  double lowest_possible_ = 0.0;  // [m] below which a floor may have points under it
+};
+
+}  // namespace polygonal_perception

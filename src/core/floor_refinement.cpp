@@ -1,0 +1,76 @@
+#include "floor_refinement.hpp"
+
+#include <algorithm>
+
+#include "floor_candidates.hpp"
+
+namespace polygonal_perception {
+
+void FloorRefinement::take(const PointView& points)
+{
+  // Rows lie closer than columns: a floor that is seen from the side is a narrow strip at the image's foot.
+  constexpr std::uint32_t kColumns = 53;
+  constexpr std::uint32_t kRows = 96;
+  const std::uint32_t step_u = std::max(1U, points.width() / kColumns);
+  const std::uint32_t step_v = std::max(1U, points.height() / kRows);
+  pixels_.clear();
+  columns_ = (points.width() - step_u / 2 + step_u - 1) / step_u;
+  for (std::uint32_t v = step_v / 2; v < points.height(); v += step_v) {
+    for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) pixels_.add(points.point(u, v));
+  }
+}
+
+bool FloorRefinement::liesFlat(std::size_t k) const
+{
+  // The foot of a wall lies in the floor's band too, but runs across it: it would tilt the fit.
+  return (k < columns_ || pixels_.runsAlong(k, k - columns_)) &&
+         (k + columns_ >= pixels_.size() || pixels_.runsAlong(k, k + columns_));
+}
+
+float FloorRefinement::medianDeviation()
+{
+  if (picked_.empty()) return 0.0F;
+  deviations_.clear();
+  for (const std::uint32_t k : picked_) deviations_.push_back(pixels_.deviation(k));
+  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
+  std::nth_element(deviations_.begin(), middle, deviations_.end());
+  return *middle;
+}
+
+std::optional<FloorRefinement::Result> FloorRefinement::refine(const Plane& rough,
+                                                               const FloorDetector::Parameters& parameters)
+{
+  // A fit through this many pixels errs by less than the camera's own calibration.
+  constexpr std::size_t kEnough = 700;
+  // What lies farther off than this many times the median distance (2.5 standard deviations) is dropped, again and
+  // again: the foot of a lamp is nearer to the floor than the noise model alone could tell.
+  constexpr float kClip = 3.7F;
+  constexpr float kLeastClip = 0.5F;
+  constexpr int kRounds = 4;
+  constexpr double kLargestNormalSigma = 0.02;  // [rad] more uncertain than this it is no floor
+  constexpr double kLeastSupport = 0.006;       // of all pixels
+
+  const NoisyPoints::Band band = bandOf(parameters);
+  std::optional<PlaneFit::Result> fit;
+  Plane plane = rough;
+  for (int round = 0; round < kRounds; ++round) {
+    pixels_.compare(plane, band);
+    pixels_.pick([this](std::size_t k) { return liesFlat(k); }, kEnough, picked_);
+    const float limit = std::max(kLeastClip, kClip * medianDeviation());
+    PlaneFit clipped;
+    for (const std::uint32_t k : picked_) {
+      if (pixels_.deviation(k) < limit) pixels_.addTo(clipped, k);
+    }
+    fit = clipped.solve(rough.normal);
+    if (!fit) return std::nullopt;
+    plane = fit->plane;
+  }
+  pixels_.compare(plane, band);
+  const NoisyPoints::Tally tally = pixels_.tally();
+  if (fit->normal_sigma > kLargestNormalSigma || tally.on < kLeastSupport * static_cast<double>(pixels_.size())) {
+    return std::nullopt;
+  }
+  return Result{*fit, tally};
+}
+
+}  // namespace polygonal_perception
