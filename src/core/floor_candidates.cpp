@@ -12,24 +12,27 @@ namespace {
 
 /// A sample's normal is noisy, so it may tilt this much more than the floor itself.
 constexpr double kNormalSlack = 0.15;  // [rad]
-/// A seed is a rough guess of the camera's attitude: a floor may tilt this much more from it than from a measured up.
+/// A seed is a rough guess of the camera's attitude: a floor may tilt this much more from it than from a
+/// measured up.
 constexpr double kSeedSlack = 0.15;  // [rad]
-/// The floor's normal turns less than this between two frames of a camera that is moved by hand. What is not the lowest
-/// plane of the frame must look more like the last floor to be taken for it.
+/// The floor's normal turns less than this between two frames of a camera that is moved by hand. What is not
+/// the lowest plane of the frame must look more like the last floor to be taken for it.
 constexpr double kTurn = 0.26;        // [rad] 15 degrees
 constexpr double kTurnAtDrop = 0.08;  // [rad]
 
 constexpr std::size_t kMostCandidates = 8;
 constexpr std::uint32_t kSmallestSegment = 4;
-/// The least share of all samples that must lie on a floor, and how many of those must have a normal that agrees.
+/// The least share of all samples that must lie on a floor, and how many of those must have a normal that
+/// agrees.
 constexpr double kLeastSupport = 0.006;
 constexpr double kLeastAgreeing = 0.4;
-/// Cosine of the largest angle between a plane's normal and that of a sample that belongs to it: 26 degrees, two and a
-/// half times the noise of a sample's normal 4 m away.
+/// Cosine of the largest angle between a plane's normal and that of a sample that belongs to it: 26 degrees,
+/// two and a half times the noise of a sample's normal 4 m away.
 constexpr float kAgree = 0.9F;
 /// A point this many standard deviations off a plane is not of it.
 constexpr float kOnSigmas = 3.0F;
-/// Below the lowest floor that the camera can stand on less this, nothing can be the floor instead of a plane.
+/// Below the lowest floor that the camera can stand on less this, nothing can be the floor instead of a
+/// plane.
 constexpr double kNothingBetween = 0.3;  // [m]
 
 }  // namespace
@@ -41,10 +44,12 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 
 NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters)
 {
-  return {kOnSigmas, static_cast<float>(parameters.merge_distance), static_cast<float>(parameters.max_camera_height)};
+  return {kOnSigmas, static_cast<float>(parameters.merge_distance),
+          static_cast<float>(parameters.max_camera_height)};
 }
 
-bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally, const FloorDetector::Parameters& parameters)
+bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally,
+              const FloorDetector::Parameters& parameters)
 {
   return plane.distance > parameters.max_camera_height - kNothingBetween ||
          tally.below * parameters.replacement_factor <= tally.on;
@@ -130,7 +135,8 @@ std::optional<Plane> FloorCandidates::planeOf(const SampleGrid& grid, const Segm
   return Plane{normal, -normal.dot(point) / segment.size};
 }
 
-void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior)
+void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters& parameters,
+                              const FloorPrior& prior)
 {
   constexpr int kRounds = 2;
   const NoisyPoints::Band band = bandOf(parameters);
@@ -168,10 +174,13 @@ void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters&
                         (!prior.up_is_measured || candidate.tilt < (candidate.lowest ? kTurn : kTurnAtDrop));
   if (prior.height && !candidate.continues) {
     constexpr double kSameOffset = 0.1;  // [m]
+    constexpr double kFarthestDrop =
+        0.25;  // [m] that a camera sinks between frames; a nearer plane is a raised one
     const double offset = *prior.height - plane.distance;
-    candidate.known_other = std::any_of(prior.others.begin(), prior.others.end(), [&](double other) {
-      return std::abs(offset - other) < kSameOffset + prior.height_tolerance;
-    });
+    candidate.known_other = (prior.firm && offset > kFarthestDrop) ||
+                            std::any_of(prior.others.begin(), prior.others.end(), [&](double other) {
+                              return std::abs(offset - other) < kSameOffset + prior.height_tolerance;
+                            });
   }
   candidates_.push_back(candidate);
 }
@@ -180,8 +189,8 @@ double FloorCandidates::weight(const FloorCandidate& candidate) const
 {
   // A tilt from the up vector at which a plane loses most of its weight.
   constexpr double kTiltScale = 0.45;  // [rad]
-  // A plane that is laid through parts of two surfaces, a near table and a far floor, say, has many samples but is not
-  // parallel to the surface in any of them.
+  // A plane that is laid through parts of two surfaces, a near table and a far floor, say, has many samples
+  // but is not parallel to the surface in any of them.
   constexpr double kDisagreementScale = 0.05;  // [rad] 3 degrees
   const double tilt = candidate.tilt / kTiltScale;
   const double disagreement = candidate.disagreement / kDisagreementScale;
@@ -190,8 +199,8 @@ double FloorCandidates::weight(const FloorCandidate& candidate) const
 
 bool FloorCandidates::under(const FloorCandidate& lower, const FloorCandidate& upper) const
 {
-  // What lies on the lower plane lies below the upper one. Heights alone would not tell: a steep fit through the foot
-  // of a wall cuts through the floor and passes far below the camera.
+  // What lies on the lower plane lies below the upper one. Heights alone would not tell: a steep fit through
+  // the foot of a wall cuts through the floor and passes far below the camera.
   constexpr double kMostOf = 0.6;
   return upper.plane.distance < lowest_possible_ && lower.plane.distance > upper.plane.distance &&
          upper.tally.below > kMostOf * lower.tally.on;
@@ -229,7 +238,8 @@ PlaneOffsets FloorCandidates::others(const Plane& floor) const
   return offsets;
 }
 
-std::uint32_t FloorCandidates::label(const std::optional<Plane>& floor, const FloorDetector::Parameters& parameters,
+std::uint32_t FloorCandidates::label(const std::optional<Plane>& floor,
+                                     const FloorDetector::Parameters& parameters,
                                      std::vector<SampleLabel>& labels)
 {
   std::uint32_t count = 0;

@@ -18,27 +18,30 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters);
 
 /// Whether hardly a point lies below a plane, or none that could be of a floor instead.
-bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally, const FloorDetector::Parameters& parameters);
+bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally,
+              const FloorDetector::Parameters& parameters);
 
 /// A level plane of the frame.
 struct FloorCandidate
 {
   Plane plane;
-  NoisyPoints::Tally tally;    // of the samples
-  double tilt = 0.0;           // [rad] from the up vector
-  double disagreement = 0.0;   // [rad] between its normal and the mean of its samples' normals
-  bool lowest = false;         // hardly a sample lies below it
-  bool continues = false;      // it is where the last floor was
-  bool known_other = false;    // it is where another plane was seen with the last floor
-  bool refused = false;        // a closer look found that it is no floor
+  NoisyPoints::Tally tally;   // of the samples
+  double tilt = 0.0;          // [rad] from the up vector
+  double disagreement = 0.0;  // [rad] between its normal and the mean of its samples' normals
+  bool lowest = false;        // hardly a sample lies below it
+  bool continues = false;     // it is where the last floor was
+  bool known_other = false;   // it is where another plane was seen with the last floor
+  bool refused = false;       // a closer look found that it is no floor
 };
 
-/// Finds the level planes among the samples of a frame and says which is most likely the floor (sections III-B to III-D).
+/// Finds the level planes among the samples of a frame and says which is most likely the floor (sections
+/// III-B to III-D).
 ///
-/// It departs from algorithm 2 where that goes wrong. A plane is not the floor for being reached first along the up
-/// vector, which may be 40 degrees off, but because hardly a sample lies below it; segments are not merged by the distance of
-/// their averages but by holding every sample against the plane, with the noise that it has; and what was seen with the last
-/// floor decides where a frame alone could not: whether a lower plane is the floor under a table or a storey below.
+/// It departs from algorithm 2 where that goes wrong. A plane is not the floor for being reached first along
+/// the up vector, which may be 40 degrees off, but because hardly a sample lies below it; segments are not
+/// merged by the distance of their averages but by holding every sample against the plane, with the noise
+/// that it has; and what was seen with the last floor decides where a frame alone could not: whether a lower
+/// plane is the floor under a table or a storey below.
 class FloorCandidates
 {
 public:
@@ -60,7 +63,8 @@ public:
 
 private:
   void takeSamples(const SampleGrid& grid);
-  std::optional<Plane> planeOf(const SampleGrid& grid, const Segmentation::Segment& segment, const FloorPrior& prior) const;
+  std::optional<Plane> planeOf(const SampleGrid& grid, const Segmentation::Segment& segment,
+                               const FloorPrior& prior) const;
   bool known(const SampleGrid& grid, const Segmentation::Segment& segment) const;
   void examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
   double weight(const FloorCandidate& candidate) const;

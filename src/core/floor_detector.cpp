@@ -12,7 +12,7 @@ struct FloorDetector::Workspace
 };
 
 FloorDetector::FloorDetector(const Parameters& parameters)
-  : parameters_(parameters), workspace_(std::make_unique<Workspace>())
+    : parameters_(parameters), workspace_(std::make_unique<Workspace>())
 {
 }
 FloorDetector::FloorDetector(FloorDetector&& other) noexcept = default;
@@ -27,7 +27,8 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
   std::optional<DetectedFloor> floor;
   candidates.collect(grid, parameters_, prior);
   if (!candidates.empty()) refinement.take(points);
-  for (auto* candidate = candidates.best(prior); candidate != nullptr && !floor; candidate = candidates.best(prior)) {
+  for (auto* candidate = candidates.best(prior); candidate != nullptr && !floor;
+       candidate = candidates.best(prior)) {
     const auto refined = refinement.refine(candidate->plane, parameters_);
     const bool own = prior.firm && candidate->continues;
     if (refined && (own || isLowest(refined->fit.plane, refined->tally, parameters_))) {

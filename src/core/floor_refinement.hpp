@@ -12,8 +12,8 @@
 
 namespace polygonal_perception {
 
-/// The final fit of the floor (algorithm 2, line 16): total least squares over many more pixels than the samples, weighted
-/// by their noise, without what is merely close to the floor.
+/// The final fit of the floor (algorithm 2, line 16): total least squares over many more pixels than the
+/// samples, weighted by their noise, without what is merely close to the floor.
 class FloorRefinement
 {
 public:

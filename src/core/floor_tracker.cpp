@@ -17,6 +17,9 @@ constexpr double kDropMemory = 20.0;  // [s]
 constexpr double kSameOffset = 0.1;  // [m]
 /// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
 constexpr int kFirmAfter = 5;
+/// A plane nearer than this may as well be a table top that the camera looks over: it never counts as firm. A
+/// robot with a lower camera has max_camera_height to keep it off lower storeys.
+constexpr double kLeastFirmHeight = 0.38;  // [m]
 
 }  // namespace
 
@@ -65,7 +68,8 @@ FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d
 
 void FloorTracker::remember(const DetectedFloor& floor, double stamp)
 {
-  streak_ = floor.continued ? std::min(streak_ + 1, kFirmAfter) : 1;
+  const bool lasts = floor.continued && floor.plane.distance > kLeastFirmHeight;
+  streak_ = lasts ? std::min(streak_ + 1, kFirmAfter) : 1;
   for (const double offset : floor.others) {
     auto same = std::find_if(others_.begin(), others_.end(), [&](const OtherPlane& other) {
       return std::abs(other.offset - offset) < kSameOffset;

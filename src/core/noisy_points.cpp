@@ -39,8 +39,8 @@ void NoisyPoints::compare(const Plane& plane, const Band& band)
   constexpr float kBelowBase = 0.05F;
   constexpr float kBelowPerMetre = 0.02F;
   constexpr float kBelowSigmas = 3.0F;
-  // What the noise model does not hold, quantisation and a lens that bends far floors: without it the nearest points
-  // would decide alone, and a far floor would stand out of a plane that is tangential to the near one.
+  // What the noise model does not hold, quantisation and a lens that bends far floors: without it the nearest
+  // points would decide alone, and a far floor would stand out of a plane that is tangential to the near one.
   constexpr float kLeastSigma = 0.003F;          // [m]
   constexpr float kLeastSigmaPerMetre = 0.003F;  // [m/m]
   measure();

@@ -25,8 +25,8 @@ public:
   {
     float sigmas;  ///< times the standard deviation of its height
     float widest;  ///< [m]
-    /// [m] What lies deeper than this under the camera does not count as below the plane: it is beyond every floor that
-    /// the camera can stand on.
+    /// [m] What lies deeper than this under the camera does not count as below the plane: it is beyond every
+    /// floor that the camera can stand on.
     float deepest;
   };
 
@@ -56,26 +56,34 @@ public:
 
   /// Picks accepted points in the band.
   /// @param accept  called with the index of a point in the band
-  /// @param enough  of a band that holds more points than twice this, only every second, third, ... is looked at
+  /// @param enough  of a band that holds more points than twice this, only every second, third, ... is looked
+  /// at
   /// @param picked  their indices, filled anew
+  /// @return how many points were looked at
   template <class Accept>
-  void pick(Accept&& accept, std::size_t enough, std::vector<std::uint32_t>& picked) const
+  std::size_t pick(Accept&& accept, std::size_t enough, std::vector<std::uint32_t>& picked) const
   {
     picked.clear();
     const std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / enough);
     std::size_t skip = 0;
+    std::size_t looked_at = 0;
     for (std::uint32_t k = 0; k < size(); ++k) {
       if (!on(k) || skip-- != 0) continue;
       skip = step - 1;
+      ++looked_at;
       if (accept(k)) picked.push_back(k);
     }
+    return looked_at;
   }
 
   /// Distance of point k from the plane in units of its standard deviation.
   float deviation(std::size_t k) const { return std::abs(height_[k]) / sigma_[k]; }
 
   /// Adds point k to a fit, weighted by the inverse variance of its height.
-  void addTo(PlaneFit& fit, std::size_t k) const { fit.add(x_[k], y_[k], z_[k], 1.0F / (sigma_[k] * sigma_[k])); }
+  void addTo(PlaneFit& fit, std::size_t k) const
+  {
+    fit.add(x_[k], y_[k], z_[k], 1.0F / (sigma_[k] * sigma_[k]));
+  }
 
 private:
   void measure();
