@@ -19,6 +19,11 @@ namespace simulation {
 /// Topics below the namespace `~camera` (default "camera"): depth/image_raw and depth/image_rect (16UC1, mm),
 /// depth/camera_info, depth/points. Private: ground_truth/floor (FloorPlane, optical frame),
 /// ground_truth/obstacles (PolygonArray, world frame, not inflated).
+///
+/// Private parameters: camera; scene (one of sceneNames()), trajectory (one of trajectoryNames()), seed; rate
+/// [Hz]; width, height [px]; noise (false: ideal depth) and noise_<name> for each of DepthNoise::Parameters;
+/// min_height, max_height [m] of the true obstacles; publish_tf, world_frame (odom), base_frame (base_link),
+/// camera_frame (camera_link), optical_frame (camera_depth_optical_frame).
 class SimulatedCameraRos
 {
 public:
