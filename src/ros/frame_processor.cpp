@@ -72,9 +72,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     }
   }
 
-  Answer answer;
-  answer.input = header;
-  answer.points = *points;
+  Answer answer{header, *points, {}, {}, {}};
   const bool has_place = parameters_.output_frame.empty() || input_to_output;
   if (up_is_missing) {
     // Without the seed that was asked for there is no floor: initial_up may be far off.

@@ -22,7 +22,9 @@ bool isRead(const Publisher& publisher)
 
 std_msgs::Header outputHeader(const Answer& answer)
 {
-  std_msgs::Header header = answer.input;
+  std_msgs::Header header;
+  header.seq = answer.input.seq;
+  header.stamp = answer.input.stamp;
   header.frame_id = answer.place->frame;
   return header;
 }
@@ -123,7 +125,7 @@ void Outputs::publishInOutputFrame(const Answer& answer, Pipeline& pipeline)
                                  : toUnknownGrid(header, geometry, pose));
   }
   if (isRead(polygons_) && has(Pipeline::Goal::kPolygons)) {
-    polygons_.publish(toPolygonArray(header, known ? result.polygons : PolygonSet(), pose, status));
+    polygons_.publish(toPolygonArray(header, result.polygons, pose, status));
   }
   if (isRead(obstacle_points_)) {
     standing_.clear();
@@ -136,9 +138,10 @@ void Outputs::publishMarkers(const Answer& answer, const Pipeline& pipeline)
 {
   auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
   if (answer.place) {
+    static const PolygonSet kNoPolygons;
     const bool has_polygons =
         answer.floor.status != FloorStatus::kNotFound && answer.goal == Pipeline::Goal::kPolygons;
-    appendPolygonMarkers(outputHeader(answer), has_polygons ? pipeline.result().polygons : PolygonSet(),
+    appendPolygonMarkers(outputHeader(answer), has_polygons ? pipeline.result().polygons : kNoPolygons,
                          answer.place->pose, *markers);
   }
   appendFloorMarkers(answer.input, answer.floor, hull_, *markers);

@@ -24,7 +24,7 @@ struct OutputPlace
 /// A frame with everything that its messages are made of.
 struct Answer
 {
-  std_msgs::Header input;  ///< stamp and frame of the input
+  const std_msgs::Header& input;  ///< of the frame, which must stay
   PointView points;
   FloorState floor;
   std::optional<OutputPlace> place;  ///< nothing: unknown, and what lies in the output frame is left out
