@@ -8,6 +8,7 @@
 
 #include "polygonal_perception/floor_detector.hpp"
 #include "polygonal_perception/parameter_table.hpp"
+#include "polygonal_perception/view_change.hpp"
 
 namespace polygonal_perception {
 
@@ -77,6 +78,7 @@ private:
     double stamp = -std::numeric_limits<double>::infinity();  // [s] when it was last seen
   };
 
+  void forgetView();
   void remember(const DetectedFloor& floor, double stamp);
   /// Whether a floor is known and not yet held too long.
   bool standsAt(double stamp) const
@@ -87,7 +89,9 @@ private:
 
   Parameters parameters_;
   FloorDetector detector_;
+  ViewChange view_change_;
   FloorState state_;
+  bool view_is_new_ = false;  // nothing that was known helps with this view
   std::optional<double> found_stamp_;
   std::optional<double> last_stamp_;
   std::array<OtherPlane, 8> others_{};

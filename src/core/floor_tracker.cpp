@@ -34,6 +34,13 @@ void FloorTracker::reset()
   state_ = FloorState{};
   found_stamp_.reset();
   last_stamp_.reset();
+  view_change_.reset();
+  forgetView();
+}
+
+void FloorTracker::forgetView()
+{
+  view_is_new_ = true;
   streak_ = 0;
   others_.fill(OtherPlane{});
 }
@@ -41,7 +48,7 @@ void FloorTracker::reset()
 FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const
 {
   FloorPrior prior;
-  const bool known = state_.status != FloorStatus::kNotFound;
+  const bool known = state_.status != FloorStatus::kNotFound && !view_is_new_;
   if (parameters_.up_feedback && known) {
     prior.up = state_.floor.plane.normal;
     prior.up_is_measured = true;
@@ -51,7 +58,7 @@ FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d
   } else {
     prior.up = parameters_.initial_up.normalized();
   }
-  if (!found_stamp_) return prior;
+  if (!found_stamp_ || view_is_new_) return prior;
 
   const double unseen = stamp - *found_stamp_;
   for (const OtherPlane& other : others_) {
@@ -81,6 +88,7 @@ void FloorTracker::remember(const DetectedFloor& floor, double stamp)
     *same = {offset, stamp};
   }
   state_ = {FloorStatus::kFound, floor, 0.0};
+  view_is_new_ = false;
   found_stamp_ = stamp;
 }
 
@@ -89,6 +97,7 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
 {
   if (last_stamp_ && stamp < *last_stamp_) reset();
   last_stamp_ = stamp;
+  if (view_change_.update(grid)) forgetView();
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
   if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
 
