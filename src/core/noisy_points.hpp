@@ -64,7 +64,8 @@ public:
   std::size_t pick(Accept&& accept, std::size_t enough, std::vector<std::uint32_t>& picked) const
   {
     picked.clear();
-    const std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / enough);
+    const std::size_t step =
+        std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / std::max<std::size_t>(1, enough));
     std::size_t skip = 0;
     std::size_t looked_at = 0;
     for (std::uint32_t k = 0; k < size(); ++k) {

@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "plane_scene.hpp"
+#include "polygonal_perception/floor_detector.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+FloorPrior seed()
+{
+  FloorPrior prior;
+  prior.up = -Eigen::Vector3d::UnitY();
+  return prior;
+}
+
+std::optional<DetectedFloor> detect(const PlaneScene& scene, const FloorPrior& prior = seed(),
+                                    const FloorDetector::Parameters& parameters = {})
+{
+  SampleGrid grid{SampleGrid::Parameters{}};
+  grid.update(scene.view());
+  FloorDetector detector(parameters);
+  return detector.detect(scene.view(), grid, prior);
+}
+
+void expectFloor(const std::optional<DetectedFloor>& found, const Plane& truth)
+{
+  ASSERT_TRUE(found) << "no floor found, one at " << truth.distance << " m expected";
+  EXPECT_NEAR(found->plane.distance, truth.distance, 0.002);
+  const double angle = std::acos(std::min(1.0, found->plane.normal.dot(truth.normal)));
+  EXPECT_LT(angle, 0.1 * kDegree) << "found " << found->plane.normal.transpose() << ", expected "
+                                  << truth.normal.transpose();
+}
+
+TEST(FloorDetector, FindsABareFloor)
+{
+  const Plane floor = floorSeenFrom(0.8, 0.4, 0.1);
+  PlaneScene scene;
+  scene.add(floor);
+  const auto found = detect(scene);
+  expectFloor(found, floor);
+  EXPECT_GT(found->sample_count, 400U);
+}
+
+TEST(FloorDetector, FindsTheFloorOfALevelCamera)
+{
+  const Plane floor = floorSeenFrom(0.8, 0.0);
+  PlaneScene scene;
+  scene.add(floor);
+  expectFloor(detect(scene), floor);
+}
+
+TEST(FloorDetector, FindsTheFloorUpTo47DegreesFromTheSeed)
+{
+  // Pitched by 45 and rolled by 15 degrees the up vector is 47 degrees off the seed, beyond max_tilt.
+  const Plane floor = floorSeenFrom(1.0, 45 * kDegree, 15 * kDegree);
+  PlaneScene scene;
+  scene.add(floor);
+  expectFloor(detect(scene), floor);
+}
+
+TEST(FloorDetector, ATableTopThatFillsTheViewIsNotTheFloor)
+{
+  const Plane floor = floorSeenFrom(1.2, 0.6);
+  PlaneScene scene;
+  // Floor is seen only beyond the table's far edge, 1.9 m ahead.
+  scene.add(floor);
+  scene.add(raised(floor, 0.75), [](const Eigen::Vector3d& p) { return p.z() < 1.5; });
+  SampleGrid grid{SampleGrid::Parameters{}};
+  expectFloor(detect(scene), floor);
+}
+
+TEST(FloorDetector, ASeedThatIs40DegreesOffDoesNotPutTheTableFirst)
+{
+  const Plane floor = floorSeenFrom(1.2, 0.6);
+  PlaneScene scene;
+  scene.add(floor);
+  scene.add(raised(floor, 0.75), [](const Eigen::Vector3d& p) { return p.z() < 1.5; });
+  for (const double sign : {-1.0, 1.0}) {
+    FloorPrior prior = seed();
+    prior.up = Eigen::AngleAxisd(sign * 40 * kDegree, Eigen::Vector3d::UnitX()) * floor.normal;
+    expectFloor(detect(scene, prior), floor);
+  }
+}
+
+TEST(FloorDetector, AWallIsNoFloor)
+{
+  PlaneScene scene;
+  scene.add({-Eigen::Vector3d::UnitZ(), 1.0});
+  const auto found = detect(scene);
+  EXPECT_FALSE(found) << "found one at " << found->plane.distance;
+}
+
+TEST(FloorDetector, ACeilingIsNoFloor)
+{
+  PlaneScene scene;
+  scene.add({Eigen::Vector3d::UnitY(), 1.5});
+  const auto found = detect(scene);
+  EXPECT_FALSE(found) << "found one at " << found->plane.distance;
+}
+
+TEST(FloorDetector, NoReturnsNoFloor)
+{
+  EXPECT_FALSE(detect(PlaneScene()));
+}
+
+TEST(FloorDetector, ARowThroughTheCentreIsNoFloor)
+{
+  // The points of one image row lie in a plane through the camera's centre, and fit it perfectly.
+  PlaneScene scene;
+  scene.add(floorSeenFrom(0.8, 0.5));
+  for (std::size_t k = 0; k < scene.depth().size(); ++k) {
+    if (k / 160 != 119) scene.depth()[k] = std::numeric_limits<float>::quiet_NaN();
+  }
+  EXPECT_FALSE(detect(scene));
+}
+
+TEST(FloorDetector, APlaneAtAHeightThatTheCameraCannotHaveIsNoFloor)
+{
+  const Plane floor = floorSeenFrom(0.8, 0.5);
+  PlaneScene scene;
+  scene.add(floor);
+  FloorDetector::Parameters parameters;
+  parameters.max_camera_height = 0.7;
+  EXPECT_FALSE(detect(scene, seed(), parameters));
+  parameters.max_camera_height = 3.0;
+  parameters.min_camera_height = 0.9;
+  EXPECT_FALSE(detect(scene, seed(), parameters));
+}
+
+class AtALedge : public ::testing::Test
+{
+protected:
+  AtALedge()
+  {
+    scene_.add(raised(own_, -1.2));
+    scene_.add(own_, [](const Eigen::Vector3d& p) { return p.z() < 1.6; });
+  }
+
+  Plane own_ = floorSeenFrom(0.8, 0.5);
+  PlaneScene scene_;
+};
+
+TEST_F(AtALedge, TheLowestPlaneWinsWithoutFurtherKnowledge)
+{
+  expectFloor(detect(scene_), raised(own_, -1.2));
+}
+
+TEST_F(AtALedge, ABoundOnTheCamerasHeightKeepsTheOwnFloor)
+{
+  FloorDetector::Parameters parameters;
+  parameters.max_camera_height = 1.0;
+  expectFloor(detect(scene_, seed(), parameters), own_);
+}
+
+TEST_F(AtALedge, AFirmFloorGoesOnAboveTheDrop)
+{
+  FloorPrior prior;
+  prior.up = own_.normal;
+  prior.up_is_measured = true;
+  prior.height = own_.distance;
+  prior.height_tolerance = 0.06;
+  prior.firm = true;
+  const auto found = detect(scene_, prior);
+  expectFloor(found, own_);
+  ASSERT_EQ(std::distance(found->others.begin(), found->others.end()), 1);
+  EXPECT_NEAR(*found->others.begin(), -1.2, 0.01);
+}
+
+TEST(FloorDetector, LabelsSayWhatBecameOfEachSample)
+{
+  const Plane floor = floorSeenFrom(1.0, 0.6);
+  PlaneScene scene;
+  // A floor, a box's top on the left, a wall 2.5 m ahead, nothing in the image's upper left corner.
+  scene.add(floor);
+  scene.add(raised(floor, 0.4), [](const Eigen::Vector3d& p) { return p.x() < -0.2 && p.z() < 1.0; });
+  scene.add({-Eigen::Vector3d(0.0, std::sin(-0.6), std::cos(-0.6)), 2.5});
+  for (std::size_t k = 0; k < scene.depth().size(); ++k) {
+    if (k / 160 < 20 && k % 160 < 40) scene.depth()[k] = std::numeric_limits<float>::quiet_NaN();
+  }
+  SampleGrid grid{SampleGrid::Parameters{}};
+  grid.update(scene.view());
+  FloorDetector detector{FloorDetector::Parameters{}};
+  ASSERT_TRUE(detector.detect(scene.view(), grid, seed()));
+  const auto label = [&](int i, int j) { return detector.labels()[static_cast<std::size_t>(32 * j + i)]; };
+  EXPECT_EQ(label(1, 1), SampleLabel::kNoPoint);
+  EXPECT_EQ(label(16, 1), SampleLabel::kPruned);
+  EXPECT_EQ(label(3, 28), SampleLabel::kSegment);
+  EXPECT_EQ(label(28, 28), SampleLabel::kFloor);
+}
+
+}  // namespace
+}  // namespace polygonal_perception
