@@ -1,19 +1,19 @@
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
 #include <vector>
 
 #include "polygonal_perception/polygon_set.hpp"
 
 namespace polygonal_perception {
 
-/// Cuts polygons with holes into triangles, to be drawn: ear clipping, each hole joined to its boundary by a
-/// bridge first.
+/// Cuts polygons with holes into triangles, to be drawn.
 ///
-/// Meant for pictures: rings that break the polygon contract (that cross themselves, say) still give
-/// triangles, though not of their exact area.
+/// A line sweeps over the polygons and cuts them into trapezoids between their edges. Unlike ear clipping it
+/// minds neither rings that touch nor corners in one line, of which polygons made of grid cells are full.
+/// Where rings cross (which breaks the polygon contract) the picture is only about right.
 ///
-/// @return three indices into polygons.vertices a triangle, counter-clockwise
-std::vector<std::uint32_t> triangulate(const PolygonSet& polygons);
+/// @return three corners a triangle, counter-clockwise, at most two triangles a vertex
+std::vector<Eigen::Vector2d> triangulate(const PolygonSet& polygons);
 
 }  // namespace polygonal_perception

@@ -1,209 +1,110 @@
 #include "polygonal_perception/triangulation.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
+#include <map>
+#include <utility>
 
 namespace polygonal_perception {
 
 namespace {
 
-using Index = std::uint32_t;
-
-/// Twice the area of the triangle a, b, c; positive when it runs counter-clockwise.
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+/// An edge of a ring that is not level.
+struct Edge
 {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  Eigen::Vector2d low;
+  Eigen::Vector2d high;
+
+  double xAt(double y) const
+  {
+    if (y <= low.y()) return low.x();
+    if (y >= high.y()) return high.x();
+    return low.x() + (y - low.y()) * (high.x() - low.x()) / (high.y() - low.y());
+  }
+};
+
+std::vector<Edge> edgesOf(const PolygonSet& polygons)
+{
+  std::vector<Edge> edges;
+  for (const PolygonSet::Ring& ring : polygons.rings) {
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+      const Eigen::Vector2d& a = polygons.vertices[ring.first + i];
+      const Eigen::Vector2d& b = polygons.vertices[ring.first + (i + 1) % ring.size];
+      if (a.y() < b.y()) edges.push_back({a, b});
+      if (b.y() < a.y()) edges.push_back({b, a});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.low.y() < b.low.y(); });
+  return edges;
 }
 
-/// A boundary that takes in its holes and is then eaten up, ear by ear.
-class EarClipper
+/// The heights at which an edge begins or ends, lowest first.
+std::vector<double> levelsOf(const std::vector<Edge>& edges)
 {
-public:
-  explicit EarClipper(const std::vector<Eigen::Vector2d>& vertices) : vertices_(vertices) {}
-
-  void setBoundary(const PolygonSet::Ring& boundary)
-  {
-    ring_.clear();
-    holes_.clear();
-    append(boundary, ring_);
+  std::vector<double> levels;
+  for (const Edge& edge : edges) {
+    levels.push_back(edge.low.y());
+    levels.push_back(edge.high.y());
   }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
 
-  void addHole(const PolygonSet::Ring& hole) { append(hole, holes_.emplace_back()); }
-
-  void clip(std::vector<Index>& triangles)
-  {
-    // A hole that reaches farther right is never behind another one, seen along +x.
-    for (auto& hole : holes_) {
-      std::rotate(hole.begin(),
-                  std::max_element(hole.begin(), hole.end(),
-                                   [this](Index a, Index b) { return at(a).x() < at(b).x(); }),
-                  hole.end());
-    }
-    std::sort(holes_.begin(), holes_.end(),
-              [this](const auto& a, const auto& b) { return at(a.front()).x() > at(b.front()).x(); });
-    for (const auto& hole : holes_) bridge(hole);
-    clipEars(triangles);
-  }
-
-private:
-  const Eigen::Vector2d& at(Index i) const { return vertices_[i]; }
-
-  static void append(const PolygonSet::Ring& from, std::vector<Index>& to)
-  {
-    for (Index i = 0; i < from.size; ++i) to.push_back(from.first + i);
-  }
-
-  /// Whether p lies in the triangle a, b, c (counter-clockwise) or on its edge, its corners excepted.
-  bool inTriangle(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                  const Eigen::Vector2d& c) const
-  {
-    if (p == a || p == b || p == c) return false;
-    return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-  }
-
-  /// Joins a hole, which begins with its rightmost vertex, to the ring by two edges to a vertex that it can
-  /// see.
-  void bridge(const std::vector<Index>& hole)
-  {
-    const std::size_t anchor = visibleFrom(hole);
-    std::vector<Index> detour(hole);
-    detour.push_back(hole.front());
-    detour.push_back(ring_[anchor]);
-    ring_.insert(ring_.begin() + static_cast<std::ptrdiff_t>(anchor) + 1, detour.begin(), detour.end());
-  }
-
-  /// The position in the ring of a vertex that can be seen from the first vertex of a hole (Eberly's method).
-  std::size_t visibleFrom(const std::vector<Index>& hole) const
-  {
-    const Eigen::Vector2d& eye = at(hole.front());
-    // A hole that touches the ring there is joined there, in the corner that the hole lies in.
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      if (at(ring_[i]) == eye) return mostOpen(i, at(hole.back()));
-    }
-    // The edge that a ray along +x hits first, and of its ends the one farther right.
-    std::size_t candidate = 0;
-    double hit_x = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const std::size_t next = (i + 1) % ring_.size();
-      const Eigen::Vector2d& a = at(ring_[i]);
-      const Eigen::Vector2d& b = at(ring_[next]);
-      // Inside the ring, edges to the right of a point run upwards.
-      if (!(a.y() <= eye.y() && b.y() >= eye.y()) || a.y() == b.y()) continue;
-      const double x = a.x() + (eye.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y());
-      if (x < eye.x() || x >= hit_x) continue;
-      hit_x = x;
-      candidate = a.x() > b.x() ? i : next;
-    }
-    // Reflex vertices in the triangle of eye, hit and candidate hide it: of those, the one nearest to the ray
-    // is seen.
-    const Eigen::Vector2d hit(hit_x, eye.y());
-    const Eigen::Vector2d corner = at(ring_[candidate]);
-    const bool above = corner.y() > eye.y();
-    const Eigen::Vector2d& second = above ? hit : corner;
-    const Eigen::Vector2d& third = above ? corner : hit;
-    double best_slope = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const Eigen::Vector2d& p = at(ring_[i]);
-      if (p.x() <= eye.x() || !inTriangle(p, eye, second, third)) continue;
-      const double slope = std::abs(p.y() - eye.y()) / (p.x() - eye.x());
-      if (slope < best_slope) {
-        best_slope = slope;
-        candidate = i;
-      }
-    }
-    return mostOpen(candidate, eye);
-  }
-
-  /// Of the places in the ring where its vertex stands (several after a bridge), the one into whose corner
-  /// `eye` sees.
-  std::size_t mostOpen(std::size_t candidate, const Eigen::Vector2d& eye) const
-  {
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      if (at(ring_[i]) != at(ring_[candidate])) continue;
-      const Eigen::Vector2d& before = at(ring_[(i + ring_.size() - 1) % ring_.size()]);
-      const Eigen::Vector2d& here = at(ring_[i]);
-      const Eigen::Vector2d& after = at(ring_[(i + 1) % ring_.size()]);
-      const bool left_of_in = turn(before, here, eye) >= 0.0;
-      const bool left_of_out = turn(here, after, eye) >= 0.0;
-      const bool convex = turn(before, here, after) >= 0.0;
-      if (convex ? (left_of_in && left_of_out) : (left_of_in || left_of_out)) return i;
-    }
-    return candidate;
-  }
-
-  bool isEar(std::size_t i) const
-  {
-    const Index before = previous_[i];
-    const Index after = next_[i];
-    const Eigen::Vector2d& a = at(ring_[before]);
-    const Eigen::Vector2d& b = at(ring_[i]);
-    const Eigen::Vector2d& c = at(ring_[after]);
-    if (turn(a, b, c) <= 0.0) return false;
-    for (Index k = next_[after]; k != before; k = next_[k]) {
-      if (inTriangle(at(ring_[k]), a, b, c)) return false;
-    }
-    return true;
-  }
-
-  void clipEars(std::vector<Index>& triangles)
-  {
-    const std::size_t size = ring_.size();
-    previous_.resize(size);
-    next_.resize(size);
-    for (std::size_t i = 0; i < size; ++i) {
-      previous_[i] = static_cast<Index>((i + size - 1) % size);
-      next_[i] = static_cast<Index>((i + 1) % size);
-    }
-    Index here = 0;
-    std::size_t left = size;
-    std::size_t since_last_ear = 0;
-    while (left >= 3) {
-      // Without an ear the ring is degenerate: cut anywhere, so that it ends.
-      const bool stuck = since_last_ear > left;
-      if (!stuck && !isEar(here)) {
-        here = next_[here];
-        ++since_last_ear;
-        continue;
-      }
-      const std::array<Index, 3> corners = {ring_[previous_[here]], ring_[here], ring_[next_[here]]};
-      if (turn(at(corners[0]), at(corners[1]), at(corners[2])) > 0.0) {
-        triangles.insert(triangles.end(), corners.begin(), corners.end());
-      }
-      next_[previous_[here]] = next_[here];
-      previous_[next_[here]] = previous_[here];
-      // Skipping one gives fans of fewer slivers than cutting the neighbour next.
-      here = next_[next_[here]];
-      --left;
-      since_last_ear = 0;
-    }
-  }
-
-  const std::vector<Eigen::Vector2d>& vertices_;
-  std::vector<Index> ring_;
-  std::vector<std::vector<Index>> holes_;
-  std::vector<Index> previous_;
-  std::vector<Index> next_;
-};
+void appendTrapezoid(const Edge& left, const Edge& right, double bottom, double top,
+                     std::vector<Eigen::Vector2d>& triangles)
+{
+  const Eigen::Vector2d a(left.xAt(bottom), bottom);
+  const Eigen::Vector2d b(right.xAt(bottom), bottom);
+  const Eigen::Vector2d c(right.xAt(top), top);
+  const Eigen::Vector2d d(left.xAt(top), top);
+  if (a.x() < b.x()) triangles.insert(triangles.end(), {a, b, c});
+  if (d.x() < c.x()) triangles.insert(triangles.end(), {a, c, d});
+}
 
 }  // namespace
 
-std::vector<std::uint32_t> triangulate(const PolygonSet& polygons)
+std::vector<Eigen::Vector2d> triangulate(const PolygonSet& polygons)
 {
-  std::vector<std::uint32_t> triangles;
-  EarClipper clipper(polygons.vertices);
-  for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
-    const PolygonSet::Ring& ring = polygons.rings[r];
-    if (ring.hole) {
-      clipper.addHole(ring);
-    } else {
-      clipper.setBoundary(ring);
+  const std::vector<Edge> edges = edgesOf(polygons);
+  const std::vector<double> levels = levelsOf(edges);
+  std::vector<Eigen::Vector2d> triangles;
+
+  // A trapezoid stands open from its bottom until one of its two sides ends or another edge comes between
+  // them.
+  using Sides = std::pair<std::size_t, std::size_t>;
+  std::map<Sides, double> open;
+  const auto close = [&](const std::map<Sides, double>& trapezoids, double top) {
+    for (const auto& [sides, bottom] : trapezoids) {
+      appendTrapezoid(edges[sides.first], edges[sides.second], bottom, top, triangles);
     }
-    const bool last_of_polygon = r + 1 == polygons.rings.size() || !polygons.rings[r + 1].hole;
-    if (last_of_polygon) clipper.clip(triangles);
+  };
+
+  std::vector<std::pair<double, std::size_t>> crossed;  // x and index of the edges between two levels
+  std::size_t next_edge = 0;
+  for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+    const double bottom = levels[level];
+    const double middle = (bottom + levels[level + 1]) / 2.0;
+    const auto has_ended = [&](const auto& entry) { return edges[entry.second].high.y() <= bottom; };
+    crossed.erase(std::remove_if(crossed.begin(), crossed.end(), has_ended), crossed.end());
+    for (; next_edge < edges.size() && edges[next_edge].low.y() <= bottom; ++next_edge) {
+      crossed.emplace_back(0.0, next_edge);
+    }
+    for (auto& [x, edge] : crossed) x = edges[edge].xAt(middle);
+    std::sort(crossed.begin(), crossed.end());
+
+    // From left to right every other gap is inside.
+    std::map<Sides, double> still_open;
+    for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) {
+      const Sides sides(crossed[i].second, crossed[i + 1].second);
+      const auto known = open.find(sides);
+      still_open[sides] = known == open.end() ? bottom : known->second;
+      if (known != open.end()) open.erase(known);
+    }
+    close(open, bottom);
+    open.swap(still_open);
   }
+  if (!levels.empty()) close(open, levels.back());
   return triangles;
 }
 

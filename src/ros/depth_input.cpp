@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "image_size.hpp"
+#include "polygonal_perception/parameter_check.hpp"
 
 namespace polygonal_perception {
 
@@ -61,6 +62,8 @@ Expected<PointView> DepthInput::view(const sensor_msgs::Image& image)
 {
   namespace encodings = sensor_msgs::image_encodings;
   using Result = Expected<PointView>;
+  last_image_ = image.header.stamp;
+  in_pairs_ = info_ && info_->header.stamp == last_image_;
   if (const std::string error = imageSizeError(image.width, image.height); !error.empty()) {
     return Result::failure(error);
   }
@@ -94,8 +97,9 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
   const sensor_msgs::CameraInfo& info = *info_;
   const Intrinsics k = intrinsicsOf(info);
   if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy))) {
-    return "camera_info has focal lengths " + std::to_string(k.fx) + " and " + std::to_string(k.fy) +
-           ", accepted are positive ones (an uncalibrated camera?)";
+    return "camera_info has fx, fy, cx, cy of " + numberText(k.fx) + ", " + numberText(k.fy) + ", " +
+           numberText(k.cx) + ", " + numberText(k.cy) +
+           "; accepted are finite ones, fx and fy positive (is the camera calibrated?)";
   }
   const std::uint32_t width = imageSide(info.width, info.roi.width, info.binning_x);
   const std::uint32_t height = imageSide(info.height, info.roi.height, info.binning_y);
@@ -105,9 +109,6 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
     return "camera_info is for an image of " + sizeText(width, height) + ", the image has " +
            sizeText(image.width, image.height);
   }
-  last_image_ = image.header.stamp;
-  in_pairs_ = info.header.stamp == last_image_;
-
   const bool same_size = rays_.column_slope.size() == image.width && rays_.row_slope.size() == image.height;
   const bool same_calibration =
       info_of_rays_ == info_ ||

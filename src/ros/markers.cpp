@@ -63,14 +63,15 @@ void deleteIfEmpty(Marker& marker)
 void appendPolygonMarkers(const std_msgs::Header& header, const PolygonSet& polygons,
                           const Eigen::Isometry2d& output_pose, MarkerArray& markers)
 {
-  const auto place = [&](std::size_t vertex, double height) {
-    const Eigen::Vector2d p = output_pose * polygons.vertices[vertex];
+  const auto place = [&output_pose](const Eigen::Vector2d& vertex, double height) {
+    const Eigen::Vector2d p = output_pose * vertex;
     return point(p.x(), p.y(), height);
   };
   Marker& fill = append(markers, header, "polygons/fill", Marker::TRIANGLE_LIST);
   fill.scale.x = fill.scale.y = fill.scale.z = 1.0;
   fill.color = color(0.9F, 0.3F, 0.1F, 0.4F);
-  for (const std::uint32_t vertex : triangulate(polygons)) fill.points.push_back(place(vertex, kFillHeight));
+  for (const Eigen::Vector2d& corner : triangulate(polygons))
+    fill.points.push_back(place(corner, kFillHeight));
   deleteIfEmpty(fill);
 
   Marker& outline = append(markers, header, "polygons/outline", Marker::LINE_LIST);
@@ -78,8 +79,8 @@ void appendPolygonMarkers(const std_msgs::Header& header, const PolygonSet& poly
   outline.color = color(0.9F, 0.3F, 0.1F, 1.0F);
   for (const PolygonSet::Ring& ring : polygons.rings) {
     for (std::uint32_t i = 0; i < ring.size; ++i) {
-      outline.points.push_back(place(ring.first + i, kLineHeight));
-      outline.points.push_back(place(ring.first + (i + 1) % ring.size, kLineHeight));
+      outline.points.push_back(place(polygons.vertices[ring.first + i], kLineHeight));
+      outline.points.push_back(place(polygons.vertices[ring.first + (i + 1) % ring.size], kLineHeight));
     }
   }
   deleteIfEmpty(outline);

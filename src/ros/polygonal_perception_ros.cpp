@@ -11,8 +11,6 @@ namespace polygonal_perception {
 
 namespace {
 
-using Lock = std::lock_guard<std::mutex>;
-
 constexpr double kWaitingPeriod = 0.004;  // [s] between two looks at the frames that wait
 constexpr std::size_t kMostWaiting = 8;   // frames, which keep their publisher's memory
 
@@ -37,65 +35,52 @@ PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
       log_(name_),
       updater_(handle, private_handle, name_)
 {
-  // Readers may come before everything stands: their callbacks wait for this.
-  const Lock lock(mutex_);
-  outputs_ = std::make_unique<Outputs>(private_handle_, [this] { onReadersChanged(); });
+  // Readers may come before everything stands: their callbacks wait outside.
+  const auto inside = gate_->enter();
+  outputs_ = std::make_unique<Outputs>(private_handle_, gated(gate_, [this] { updateSubscription(); }));
   processor_ = std::make_unique<FrameProcessor>(parameters_, *outputs_, statistics_, log_);
   reconfigure_ = std::make_unique<ReconfigureServer>(
       private_handle_, parameters_.pipeline,
-      [this](const Pipeline::Parameters& parameters) { onParameters(parameters); });
-  reset_ = private_handle_.advertiseService(topics::kReset, &PolygonalPerceptionRos::onReset, this);
-
-  updater_.setHardwareID("none");
-  updater_.add("frames", this, &PolygonalPerceptionRos::diagnose);
-  diagnostics_timer_ =
-      handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
-                              [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+      gated(gate_, [this](const Pipeline::Parameters& parameters) { processor_->configure(parameters); }));
+  advertiseReset();
+  startDiagnostics();
   constexpr bool kOneShot = false;
-  constexpr bool kStopped = false;
+  constexpr bool kStarted = false;
   waiting_timer_ = handle_.createWallTimer(
       ros::WallDuration(kWaitingPeriod),
-      [this](const ros::WallTimerEvent&) {
-        const Lock guard(mutex_);
-        processWaiting();
-      },
-      kOneShot, kStopped);
+      gated(gate_, [this](const ros::WallTimerEvent&) { processWaiting(); }), kOneShot, kStarted);
   updateSubscription();
 }
 
 PolygonalPerceptionRos::~PolygonalPerceptionRos()
 {
-  // Each of these waits for its callbacks under way, which may hold the mutex: so we must not.
-  diagnostics_timer_.stop();
-  waiting_timer_.stop();
-  reset_.shutdown();
+  gate_->close();
   reconfigure_->shutdown();
-  outputs_->shutdown();
-  frames_.shutdown();
-  camera_info_.shutdown();
 }
 
-void PolygonalPerceptionRos::onReadersChanged()
+void PolygonalPerceptionRos::advertiseReset()
 {
-  const Lock lock(mutex_);
-  updateSubscription();
+  using std_srvs::Trigger;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> reset =
+      [this, gate = gate_](Trigger::Request& /*request*/, Trigger::Response& response) {
+        const auto inside = gate->enter();
+        if (!inside.owns_lock()) return false;
+        processor_->forgetFloor();
+        response.success = 1;
+        response.message = "The floor is forgotten; the next frame starts from the seed.";
+        return true;
+      };
+  reset_ = private_handle_.advertiseService(topics::kReset, reset);
 }
 
-void PolygonalPerceptionRos::onParameters(const Pipeline::Parameters& parameters)
+void PolygonalPerceptionRos::startDiagnostics()
 {
-  const Lock lock(mutex_);
-  parameters_.pipeline = parameters;
-  processor_->configure(parameters);
-}
-
-bool PolygonalPerceptionRos::onReset(std_srvs::Trigger::Request& /*request*/,
-                                     std_srvs::Trigger::Response& response)
-{
-  const Lock lock(mutex_);
-  processor_->forgetFloor();
-  response.success = 1;
-  response.message = "The floor is forgotten; the next frame starts from the seed.";
-  return true;
+  updater_.setHardwareID("none");
+  updater_.add("frames", this, &PolygonalPerceptionRos::diagnose);
+  // By the wall clock: a bag that stands still is worth a report too.
+  diagnostics_timer_ =
+      handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
+                              gated(gate_, [this](const ros::WallTimerEvent&) { updater_.force_update(); }));
 }
 
 void PolygonalPerceptionRos::updateSubscription()
@@ -110,23 +95,23 @@ void PolygonalPerceptionRos::subscribe()
   // A floor from before the pause may be one of another room.
   processor_->forgetFloor();
   statistics_.interrupt();
-  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  const auto subscribe = [this](auto message, const char* topic, auto action) {
+    using Message = decltype(message);
+    return handle_.subscribe<Message>(topic, topics::kInputQueueSize, gated(gate_, action), nullptr,
+                                      ros::TransportHints().tcpNoDelay());
+  };
   if (parameters_.input == "depth") {
-    camera_info_ = handle_.subscribe(topics::kCameraInfo, topics::kInputQueueSize,
-                                     &PolygonalPerceptionRos::onCameraInfo, this, hints);
-    frames_ = handle_.subscribe<sensor_msgs::Image>(
-        topics::kDepthImage, topics::kInputQueueSize,
-        [this](const sensor_msgs::ImageConstPtr& image) {
+    camera_info_ = subscribe(sensor_msgs::CameraInfo(), topics::kCameraInfo,
+                             [this](const sensor_msgs::CameraInfoConstPtr& info) { onCameraInfo(info); });
+    frames_ =
+        subscribe(sensor_msgs::Image(), topics::kDepthImage, [this](const sensor_msgs::ImageConstPtr& image) {
           onFrame({nullptr, image});
-        },
-        nullptr, hints);
+        });
   } else {
-    frames_ = handle_.subscribe<sensor_msgs::PointCloud2>(
-        topics::kPoints, topics::kInputQueueSize,
-        [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
-          onFrame({cloud, nullptr});
-        },
-        nullptr, hints);
+    frames_ = subscribe(sensor_msgs::PointCloud2(), topics::kPoints,
+                        [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+                          onFrame({cloud, nullptr});
+                        });
   }
   subscribed_ = true;
 }
@@ -142,14 +127,12 @@ void PolygonalPerceptionRos::unsubscribe()
 
 void PolygonalPerceptionRos::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
 {
-  const Lock lock(mutex_);
   processor_->setCameraInfo(info);
   processWaiting();
 }
 
 void PolygonalPerceptionRos::onFrame(const InputFrame& frame)
 {
-  const Lock lock(mutex_);
   checkClock();
   const std_msgs::Header& header = frame.header();
   if (header.stamp < last_stamp_) forgetTime("the frame's stamp is before the last one");
@@ -196,7 +179,6 @@ void PolygonalPerceptionRos::forgetTime(const std::string& reason)
 
 void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
 {
-  const Lock lock(mutex_);
   checkClock();
   NodeState state;
   state.active = subscribed_;

@@ -13,14 +13,20 @@ ReconfigureServer::ReconfigureServer(const ros::NodeHandle& private_handle,
     : handle_(private_handle), current_(initial), apply_(std::move(apply))
 {
   constexpr bool kLatch = true;
-  const std::lock_guard<std::mutex> lock(mutex_);
   writePipelineParameters(handle_, current_);
   descriptions_ =
       handle_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, kLatch);
   updates_ = handle_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, kLatch);
   descriptions_.publish(describeConfig());
   updates_.publish(toConfig(current_));
-  service_ = handle_.advertiseService("set_parameters", &ReconfigureServer::onSet, this);
+  using dynamic_reconfigure::Reconfigure;
+  const boost::function<bool(Reconfigure::Request&, Reconfigure::Response&)> set =
+      [this, gate = gate_](Reconfigure::Request& request, Reconfigure::Response& response) {
+        const auto inside = gate->enter();
+        if (inside.owns_lock()) onSet(request.config, response.config);
+        return inside.owns_lock();
+      };
+  service_ = handle_.advertiseService("set_parameters", set);
 }
 
 ReconfigureServer::~ReconfigureServer()
@@ -30,17 +36,17 @@ ReconfigureServer::~ReconfigureServer()
 
 void ReconfigureServer::shutdown()
 {
+  gate_->close();
   service_.shutdown();
   descriptions_.shutdown();
   updates_.shutdown();
 }
 
-bool ReconfigureServer::onSet(dynamic_reconfigure::Reconfigure::Request& request,
-                              dynamic_reconfigure::Reconfigure::Response& response)
+void ReconfigureServer::onSet(const dynamic_reconfigure::Config& request,
+                              dynamic_reconfigure::Config& response)
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
   Pipeline::Parameters wanted = current_;
-  std::string error = mergeConfig(request.config, wanted);
+  std::string error = mergeConfig(request, wanted);
   if (error.empty()) {
     if (const auto fault = findFault(wanted)) error = fault->reason;
   }
@@ -53,9 +59,8 @@ bool ReconfigureServer::onSet(dynamic_reconfigure::Reconfigure::Request& request
                          << "; the old set stays");
   }
   // Also after a refusal, so that the client shows what is in force.
-  response.config = toConfig(current_);
-  updates_.publish(response.config);
-  return true;
+  response = toConfig(current_);
+  updates_.publish(response);
 }
 
 }  // namespace polygonal_perception

@@ -4,6 +4,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include <optional>
 #include <string>
 
 #include "polygonal_perception/point_view.hpp"
@@ -43,7 +44,7 @@ private:
 
   sensor_msgs::CameraInfoConstPtr info_;
   sensor_msgs::CameraInfoConstPtr info_of_rays_;
-  ros::Time last_image_;
+  std::optional<ros::Time> last_image_;
   bool in_pairs_ = false;
   PinholeRays rays_;
 };

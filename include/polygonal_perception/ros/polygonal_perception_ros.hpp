@@ -10,9 +10,9 @@
 
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <string>
 
+#include "polygonal_perception/ros/callback_gate.hpp"
 #include "polygonal_perception/ros/frame_processor.hpp"
 #include "polygonal_perception/ros/frame_statistics.hpp"
 #include "polygonal_perception/ros/node_parameters.hpp"
@@ -35,7 +35,6 @@ public:
   /// @param handle          where the inputs are
   /// @param private_handle  where parameters, outputs and services are
   PolygonalPerceptionRos(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
-  /// Waits for callbacks under way; frames may go on arriving meanwhile.
   ~PolygonalPerceptionRos();
 
   PolygonalPerceptionRos(const PolygonalPerceptionRos&) = delete;
@@ -50,10 +49,8 @@ private:
 
   void onFrame(const InputFrame& frame);
   void onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
-  void onReadersChanged();
-  void onParameters(const Pipeline::Parameters& parameters);
-  bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-
+  void advertiseReset();
+  void startDiagnostics();
   void updateSubscription();
   void subscribe();
   void unsubscribe();
@@ -62,8 +59,7 @@ private:
   void forgetTime(const std::string& reason);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  // First, so that it outlives every callback that locks it.
-  std::mutex mutex_;
+  std::shared_ptr<CallbackGate> gate_ = std::make_shared<CallbackGate>();
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   const std::string name_;

@@ -6,9 +6,10 @@
 #include <ros/service_server.h>
 
 #include <functional>
-#include <mutex>
+#include <memory>
 
 #include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/ros/callback_gate.hpp"
 
 namespace polygonal_perception {
 
@@ -29,14 +30,13 @@ public:
   ReconfigureServer(const ros::NodeHandle& private_handle, const Pipeline::Parameters& initial, Apply apply);
   ~ReconfigureServer();
 
-  /// Ends the service and waits for a call under way.
+  /// Ends the service; waits for a call under way, and no other comes through.
   void shutdown();
 
 private:
-  bool onSet(dynamic_reconfigure::Reconfigure::Request& request,
-             dynamic_reconfigure::Reconfigure::Response& response);
+  void onSet(const dynamic_reconfigure::Config& request, dynamic_reconfigure::Config& response);
 
-  std::mutex mutex_;  // declared first: it must outlive the service that locks it
+  std::shared_ptr<CallbackGate> gate_ = std::make_shared<CallbackGate>();
   ros::NodeHandle handle_;
   Pipeline::Parameters current_;
   Apply apply_;

@@ -1,0 +1,148 @@
+"""Feeds a node under test and collects what it publishes, with deadlines and without sleeps."""
+import threading
+import time
+
+import rospy
+import std_srvs.srv
+from diagnostic_msgs.msg import DiagnosticArray
+from nav_msgs.msg import OccupancyGrid
+from pcl_msgs.msg import ModelCoefficients
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import MarkerArray
+
+from polygonal_perception.msg import FloorPlane, PolygonArray
+
+OUTPUTS = {
+    'floor': FloorPlane,
+    'floor_coefficients': ModelCoefficients,
+    'occupancy_grid': OccupancyGrid,
+    'inflated_grid': OccupancyGrid,
+    'polygons': PolygonArray,
+    'markers': MarkerArray,
+    'obstacle_points': PointCloud2,
+    'samples': Image,
+}
+NOT_FOUND, FOUND, HELD = FloorPlane.NOT_FOUND, FloorPlane.FOUND, FloorPlane.HELD
+DEADLINE = 15.0
+
+
+def header_of(message):
+    return message.markers[0].header if isinstance(message, MarkerArray) else message.header
+
+
+class NodeClient:
+    """Talks to the node /polygonal_perception, whose inputs are under /camera/depth."""
+
+    def __init__(self, outputs=('floor', 'occupancy_grid', 'inflated_grid', 'polygons'), node='/polygonal_perception',
+                 depth=False):
+        self.node = node
+        self.condition = threading.Condition()
+        self.answers, self.logs, self.diagnostics, self.transforms = {}, [], [], []
+        self.readers = {}
+        self.log_reader = rospy.Subscriber('/rosout', Log, lambda m: self._append(self.logs, m))
+        self.tf_reader = rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms])
+        self.diagnostics_reader = rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics)
+        if depth:
+            self.image = rospy.Publisher('/camera/depth/image_rect', Image, queue_size=10)
+            self.info = rospy.Publisher('/camera/depth/camera_info', CameraInfo, queue_size=10)
+            self.publishers = [self.image, self.info]
+        else:
+            self.cloud = rospy.Publisher('/camera/depth/points', PointCloud2, queue_size=10)
+            self.publishers = [self.cloud]
+        for name in outputs:
+            self.read(name)
+        if outputs:
+            self.wait_connected()
+
+    def _append(self, to, message):
+        with self.condition:
+            to.append(message)
+            self.condition.notify_all()
+
+    def _on_diagnostics(self, message):
+        for status in message.status:
+            if status.name.startswith(self.node[1:] + ':'):
+                self._append(self.diagnostics, status)
+
+    def _on_answer(self, name, message):
+        with self.condition:
+            self.answers.setdefault(header_of(message).stamp.to_nsec(), {})[name] = message
+            self.condition.notify_all()
+
+    def read(self, name):
+        self.readers[name] = rospy.Subscriber(self.node + '/' + name, OUTPUTS[name],
+                                              lambda m, name=name: self._on_answer(name, m), queue_size=50)
+
+    def stop_reading(self, name):
+        self.readers.pop(name).unregister()
+
+    def wait_for(self, condition, what, deadline=DEADLINE):
+        """Waits until condition() gives something, and returns it."""
+        end = time.monotonic() + deadline
+        with self.condition:
+            while True:
+                result = condition()
+                if result:
+                    return result
+                left = end - time.monotonic()
+                if left <= 0:
+                    raise AssertionError('waited %.0f s in vain for %s' % (deadline, what))
+                # Connections come and go without a notification.
+                self.condition.wait(min(left, 0.05))
+
+    def wait_connected(self):
+        self.wait_for(lambda: all(p.get_num_connections() > 0 for p in self.publishers),
+                      'the node to subscribe to ' + ', '.join(p.resolved_name for p in self.publishers))
+        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in self.readers.values()), 'the node to publish')
+
+    def send(self, *messages):
+        for message in messages:
+            by_type = {p.data_class: p for p in self.publishers}
+            by_type[type(message)].publish(message)
+
+    def answer(self, stamp, names=None, deadline=DEADLINE):
+        """What the node published for a stamp, by topic; waits until `names` (default: all that are read) are there."""
+        names = set(self.readers if names is None else names)
+        key = stamp.to_nsec()
+        try:
+            self.wait_for(lambda: names <= set(self.answers.get(key, {})), 'an answer', deadline)
+        except AssertionError as error:
+            raise AssertionError('%s: got %s of %s for %s' % (error, sorted(self.answers.get(key, {})), sorted(names), stamp))
+        return self.answers[key]
+
+    def ask(self, message, names=None):
+        self.send(message)
+        return self.answer(message.header.stamp, names)
+
+    def answered(self, stamp):
+        return sorted(self.answers.get(stamp.to_nsec(), {}))
+
+    def wait_for_log(self, *texts):
+        """The first log message that has all the texts in it."""
+        try:
+            return self.wait_for(lambda: next((l.msg for l in self.logs if all(t in l.msg for t in texts)), None), 'a log')
+        except AssertionError:
+            raise AssertionError('no log message with %s; there were:\n%s' % (texts, '\n'.join(l.msg for l in self.logs)))
+
+    def wait_for_diagnostics(self, condition, what):
+        try:
+            return self.wait_for(lambda: next((s for s in reversed(self.diagnostics[-1:]) if condition(s)), None), what)
+        except AssertionError:
+            raise AssertionError('no diagnostics with %s; the last were:\n%s' % (what, self.diagnostics[-1:]))
+
+    def reset(self):
+        rospy.wait_for_service(self.node + '/reset', DEADLINE)
+        return rospy.ServiceProxy(self.node + '/reset', std_srvs.srv.Trigger)()
+
+
+class Clock:
+    """Stamps a thirtieth of a second apart."""
+
+    def __init__(self, start=None):
+        self.now = start or rospy.Time.now()
+
+    def tick(self, seconds=1.0 / 30.0):
+        self.now = self.now + rospy.Duration(seconds)
+        return self.now

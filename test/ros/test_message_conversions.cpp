@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include "polygonal_perception/ros/message_conversions.hpp"
+#include "polygonal_perception/ros/obstacle_points.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+std_msgs::Header header()
+{
+  std_msgs::Header header;
+  header.stamp = ros::Time(12, 34);
+  header.frame_id = "frame";
+  return header;
+}
+
+FloorState floor(FloorStatus status)
+{
+  FloorState state;
+  state.status = status;
+  state.floor.plane = {Eigen::Vector3d(0.0, -0.8, -0.6), 1.25};
+  state.floor.rms_error = 0.002;
+  state.floor.sample_count = 321;
+  state.age = 0.25;
+  return state;
+}
+
+/// 2 m ahead, 1 m to the left, turned by a quarter to the left.
+Eigen::Isometry2d quarterTurn()
+{
+  Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
+  pose.linear() << 0.0, -1.0, 1.0, 0.0;
+  pose.translation() << 2.0, 1.0;
+  return pose;
+}
+
+TEST(MessageConversions, AFloorIsSaidWhole)
+{
+  const FloorPlanePtr message = toFloorPlane(header(), floor(FloorStatus::kHeld), {{1.0F, 2.0F, 3.0F}});
+  EXPECT_EQ(message->header.stamp, header().stamp);
+  EXPECT_EQ(message->header.frame_id, "frame");
+  EXPECT_EQ(message->status, FloorPlane::HELD);
+  EXPECT_EQ(message->normal.y, -0.8);
+  EXPECT_EQ(message->distance, 1.25);
+  EXPECT_EQ(message->age, 0.25);
+  EXPECT_EQ(message->sample_count, 321U);
+  EXPECT_EQ(message->rms_error, 0.002);
+  ASSERT_EQ(message->hull.size(), 1U);
+  EXPECT_EQ(message->hull[0].z, 3.0F);
+
+  const auto coefficients = toModelCoefficients(header(), floor(FloorStatus::kFound));
+  EXPECT_EQ(coefficients->values, (std::vector<float>{0.0F, -0.8F, -0.6F, 1.25F}));
+}
+
+TEST(MessageConversions, NoFloorSaysNothingOfAnOldOne)
+{
+  const FloorPlanePtr message = toFloorPlane(header(), floor(FloorStatus::kNotFound), {{1.0F, 2.0F, 3.0F}});
+  EXPECT_EQ(message->status, FloorPlane::NOT_FOUND);
+  EXPECT_EQ(message->distance, 0.0);
+  EXPECT_TRUE(message->hull.empty());
+  EXPECT_TRUE(toModelCoefficients(header(), floor(FloorStatus::kNotFound))->values.empty());
+}
+
+TEST(MessageConversions, AGridIsPlacedByItsOrigin)
+{
+  GridParameters size;
+  size.grid_length = 0.3;
+  size.grid_width = 0.2;
+  size.grid_resolution = 0.1;
+  BinaryGrid grid{GridGeometry(size)};
+  grid.set(2, 1);
+  const auto message = toOccupancyGrid(header(), grid, quarterTurn());
+  EXPECT_EQ(message->info.width, 3U);
+  EXPECT_EQ(message->info.height, 2U);
+  EXPECT_FLOAT_EQ(message->info.resolution, 0.1F);
+  EXPECT_EQ(message->data, (std::vector<std::int8_t>{0, 0, 0, 0, 0, 100}));
+  // The corner (0, -0.1) turned to (0.1, 0) and shifted.
+  EXPECT_NEAR(message->info.origin.position.x, 2.1, 1e-9);
+  EXPECT_NEAR(message->info.origin.position.y, 1.0, 1e-9);
+  EXPECT_NEAR(message->info.origin.orientation.z, std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(message->info.origin.orientation.w, std::sqrt(0.5), 1e-9);
+
+  const auto unknown = toUnknownGrid(header(), grid.geometry(), quarterTurn());
+  EXPECT_EQ(unknown->data, std::vector<std::int8_t>(6, -1));
+  EXPECT_EQ(unknown->info.origin, message->info.origin);
+}
+
+TEST(MessageConversions, HolesGoToTheirPolygon)
+{
+  PolygonSet polygons;
+  polygons.vertices = {{0, 0}, {3, 0}, {0, 3}, {1, 1}, {1, 1.5}, {1.5, 1}, {5, 5}, {6, 5}, {5, 6}};
+  polygons.rings = {{0, 3, false}, {3, 3, true}, {6, 3, false}};
+  const PolygonArrayPtr message = toPolygonArray(header(), polygons, quarterTurn(), FloorStatus::kHeld);
+  EXPECT_EQ(message->floor_status, FloorPlane::HELD);
+  ASSERT_EQ(message->polygons.size(), 2U);
+  ASSERT_EQ(message->polygons[0].boundary.points.size(), 3U);
+  EXPECT_FLOAT_EQ(message->polygons[0].boundary.points[1].x, 2.0F);
+  EXPECT_FLOAT_EQ(message->polygons[0].boundary.points[1].y, 4.0F);
+  ASSERT_EQ(message->polygons[0].holes.size(), 1U);
+  EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].x, 0.5F);
+  EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].y, 2.0F);
+  EXPECT_TRUE(message->polygons[1].holes.empty());
+  EXPECT_TRUE(toPolygonArray(header(), polygons, quarterTurn(), FloorStatus::kNotFound)->polygons.empty());
+}
+
+TEST(MessageConversions, ObstaclePointsKeepTheirHeight)
+{
+  const auto cloud = toObstaclePoints(header(), {{1.0F, 0.0F, 0.25F}, {0.0F, 1.0F, 0.5F}}, quarterTurn());
+  EXPECT_EQ(cloud->width, 2U);
+  EXPECT_EQ(cloud->height, 1U);
+  EXPECT_EQ(cloud->row_step, 24U);
+  ASSERT_EQ(cloud->data.size(), 24U);
+  const auto* values = reinterpret_cast<const float*>(cloud->data.data());
+  EXPECT_EQ(std::vector<float>(values, values + 6),
+            (std::vector<float>{2.0F, 2.0F, 0.25F, 1.0F, 1.0F, 0.5F}));
+  EXPECT_EQ(toObstaclePoints(header(), {}, quarterTurn())->width, 0U);
+}
+
+}  // namespace
+}  // namespace polygonal_perception

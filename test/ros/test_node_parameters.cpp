@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include "polygonal_perception/parameter_check.hpp"
+#include "polygonal_perception/ros/node_parameters.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// A private namespace of its own a test.
+class NodeParametersTest : public testing::Test
+{
+protected:
+  NodeParameters read() { return readNodeParameters(handle_, errors_, warnings_); }
+
+  ros::NodeHandle handle_{std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name()};
+  Texts errors_;
+  Texts warnings_;
+};
+
+TEST_F(NodeParametersTest, AreTheDefaultsWhereNothingIsSet)
+{
+  const NodeParameters parameters = read();
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  EXPECT_TRUE(warnings_.empty()) << warnings_.front();
+  EXPECT_EQ(parameters.input, "cloud");
+  EXPECT_EQ(parameters.floor_frame, "floor");
+  EXPECT_TRUE(parameters.output_frame.empty());
+  EXPECT_TRUE(parameters.lazy);
+  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, Inflation::Parameters{}.robot_radius);
+}
+
+TEST_F(NodeParametersTest, GoodValuesAreTaken)
+{
+  handle_.setParam("input", "depth");
+  handle_.setParam("output_frame", "odom");
+  handle_.setParam("lazy", false);
+  handle_.setParam("robot_radius", 0.2);
+  handle_.setParam("grid_length", 4);  // a whole number will do
+  handle_.setParam("samples_x", 16);
+  handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 1.0});
+  const NodeParameters parameters = read();
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  EXPECT_EQ(parameters.input, "depth");
+  EXPECT_EQ(parameters.output_frame, "odom");
+  EXPECT_FALSE(parameters.lazy);
+  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, 0.2);
+  EXPECT_EQ(parameters.pipeline.grid.grid_length, 4.0);
+  EXPECT_EQ(parameters.pipeline.samples.samples_x, 16);
+  EXPECT_EQ(parameters.pipeline.tracker.initial_up, Eigen::Vector3d::UnitZ());
+}
+
+TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
+{
+  const std::string name = handle_.getNamespace();
+  handle_.setParam("input", "colour");
+  handle_.setParam("floor_frame", "/floor");
+  handle_.setParam("lazy", "perhaps");
+  handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 0.0});
+  handle_.setParam("samples_x", 3.5);
+  handle_.setParam("max_tilt", 3);
+  handle_.setParam("replacement_factor", "many");
+  const NodeParameters parameters = read();
+  const std::string stays = "; the default stays";
+  EXPECT_EQ(errors_,
+            (Texts{"parameter " + name + "/input is colour, accepted is cloud, depth" + stays,
+                   "parameter " + name + "/floor_frame is /floor, accepted is a frame" + stays,
+                   "parameter " + name + "/lazy is perhaps, accepted is true or false" + stays,
+                   "parameter " + name +
+                       "/initial_up is {0,0,0}, accepted is a list of three numbers that are not "
+                       "all zero" +
+                       stays,
+                   "parameter " + name + "/samples_x is 3.5, accepted is 4 to 256 (a whole number)" + stays,
+                   "parameter " + name + "/max_tilt is 3, accepted is 0.01 to 1.4 rad" + stays,
+                   "parameter " + name + "/replacement_factor is many, accepted is 1 to 1000" + stays}));
+  EXPECT_EQ(parameters.input, "cloud");
+  EXPECT_EQ(parameters.floor_frame, "floor");
+  EXPECT_EQ(parameters.pipeline.samples.samples_x, 32);
+  EXPECT_FALSE(findFault(parameters.pipeline));
+}
+
+TEST_F(NodeParametersTest, ValuesThatContradictEachOtherFallBackTogether)
+{
+  handle_.setParam("min_height", 0.5);
+  handle_.setParam("max_height", 0.4);
+  handle_.setParam("robot_radius", 0.2);
+  const NodeParameters parameters = read();
+  ASSERT_EQ(errors_.size(), 1U);
+  EXPECT_EQ(errors_.front(),
+            "parameters in " + handle_.getNamespace() +
+                ": min_height is 0.5 and max_height is 0.4, accepted is min_height < max_height; "
+                "their defaults stay");
+  EXPECT_EQ(parameters.pipeline.projection.min_height, 0.03);
+  EXPECT_EQ(parameters.pipeline.projection.max_height, 0.6);
+  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, 0.2);
+}
+
+TEST_F(NodeParametersTest, SlipsOfThePenAreFound)
+{
+  handle_.setParam("robot_radus", 0.2);
+  handle_.setParam("diagnostic_period", 2.0);
+  handle_.setParam("samples/compressed/format", "png");
+  read();
+  EXPECT_EQ(warnings_, Texts{"parameter " + handle_.getNamespace() +
+                             "/robot_radus means nothing to this node; is it misspelt?"});
+}
+
+TEST_F(NodeParametersTest, AreWrittenBack)
+{
+  Pipeline::Parameters parameters;
+  parameters.inflation.robot_radius = 0.45;
+  parameters.samples.samples_y = 24;
+  writePipelineParameters(handle_, parameters);
+  EXPECT_EQ(handle_.param("robot_radius", 0.0), 0.45);
+  EXPECT_EQ(handle_.param("samples_y", 0), 24);
+  const NodeParameters read_back = read();
+  EXPECT_EQ(read_back.pipeline.inflation.robot_radius, 0.45);
+}
+
+TEST(ParameterTable, HasARowAParameter)
+{
+  const std::string table = parameterTable();
+  EXPECT_NE(table.find("| `robot_radius` | double | 0.3 | 0 to 5 m | Radius"), std::string::npos) << table;
+  EXPECT_NE(table.find("| `initial_up` | list | [0, -1, 0] | not zero |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| `output_frame` | string | (empty) | a frame or empty |"), std::string::npos)
+      << table;
+}
+
+}  // namespace
+}  // namespace polygonal_perception
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_node_parameters");
+  const ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
