@@ -8,32 +8,30 @@
 
 namespace polygonal_perception {
 
-void NoisyPoints::clear()
-{
-  for (auto* values : {&x_, &y_, &z_, &range_, &relative_noise_}) values->clear();
-}
+namespace {
 
-void NoisyPoints::add(const Eigen::Vector3f& point)
-{
-  x_.push_back(point.x());
-  y_.push_back(point.y());
-  z_.push_back(point.z());
-}
+// Most of the floor's time goes by in these two loops. Compilers turn them into vector code, because a
+// function's parameters can tell them that the arrays do not overlap.
 
-void NoisyPoints::measure()
+/// What is known of points before there is a plane.
+void measureRanges(std::size_t count, const float* __restrict x, const float* __restrict y,
+                   const float* __restrict z, float* __restrict range, float* __restrict relative_noise)
 {
   constexpr float kNoLess = 1e-3F;  // [m] keeps a point in the camera's centre from a division by zero
-  const std::size_t first = range_.size();
-  if (first == size()) return;
-  range_.resize(size());
-  relative_noise_.resize(size());
-  for (std::size_t k = first; k < size(); ++k) {
-    range_[k] = std::max(kNoLess, std::sqrt(x_[k] * x_[k] + y_[k] * y_[k] + z_[k] * z_[k]));
-    relative_noise_[k] = depthNoise(range_[k]) / range_[k];
+  for (std::size_t k = 0; k < count; ++k) {
+    const float length = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+    const float at_least = length > kNoLess ? length : kNoLess;
+    range[k] = at_least;
+    relative_noise[k] = depthNoise(at_least) / at_least;
   }
 }
 
-void NoisyPoints::compare(const Plane& plane, const Band& band)
+/// What each point gives when it is held against a plane.
+void holdAgainst(const Eigen::Vector3f& normal, float distance, const NoisyPoints::Band& band,
+                 std::size_t count, const float* __restrict x, const float* __restrict y,
+                 const float* __restrict z, const float* __restrict range,
+                 const float* __restrict relative_noise, float* __restrict sigmas, float* __restrict heights,
+                 std::int32_t* __restrict on, std::int32_t* __restrict below)
 {
   // A point below this is under the floor and no noise of it: 5 cm, and 2 cm more for each metre of range.
   constexpr float kBelowBase = 0.05F;
@@ -43,41 +41,52 @@ void NoisyPoints::compare(const Plane& plane, const Band& band)
   // points would decide alone, and a far floor would stand out of a plane that is tangential to the near one.
   constexpr float kLeastSigma = 0.003F;          // [m]
   constexpr float kLeastSigmaPerMetre = 0.003F;  // [m/m]
+  const float nx = normal.x();
+  const float ny = normal.y();
+  const float nz = normal.z();
+  const auto [band_sigmas, widest, deepest] = band;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float along = nx * x[k] + ny * y[k] + nz * z[k];
+    const float noise = relative_noise[k] * std::abs(along);
+    const float sigma = noise + kLeastSigma + kLeastSigmaPerMetre * range[k];
+    const float wide = band_sigmas * sigma;
+    const float half_width = wide < widest ? wide : widest;
+    const float height = along + distance;
+    const float margin = kBelowBase + kBelowPerMetre * range[k] + kBelowSigmas * noise;
+    sigmas[k] = sigma;
+    heights[k] = height;
+    on[k] = std::abs(height) < half_width ? 1 : 0;
+    below[k] = ((height < -margin) & (-along < deepest + margin)) ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+void NoisyPoints::clear()
+{
+  for (auto* values : {&x_, &y_, &z_, &range_, &relative_noise_}) values->clear();
+}
+
+void NoisyPoints::measure()
+{
+  const std::size_t first = range_.size();
+  range_.resize(size());
+  relative_noise_.resize(size());
+  measureRanges(size() - first, x_.data() + first, y_.data() + first, z_.data() + first,
+                range_.data() + first, relative_noise_.data() + first);
+}
+
+void NoisyPoints::compare(const Plane& plane, const Band& band)
+{
   measure();
   sigma_.resize(size());
   height_.resize(size());
   on_.resize(size());
   below_.resize(size());
   camera_height_ = static_cast<float>(plane.distance);
-  const Eigen::Vector3f n = plane.normal.cast<float>();
-  const float nx = n.x();
-  const float ny = n.y();
-  const float nz = n.z();
-  const float d = camera_height_;
-  // Told that the arrays do not overlap, compilers turn this into vector code: it is most of the floor's
-  // time.
-  const float* __restrict const x = x_.data();
-  const float* __restrict const y = y_.data();
-  const float* __restrict const z = z_.data();
-  const float* __restrict const range = range_.data();
-  const float* __restrict const relative_noise = relative_noise_.data();
-  float* __restrict const sigmas = sigma_.data();
-  float* __restrict const heights = height_.data();
-  std::int32_t* __restrict const on = on_.data();
-  std::int32_t* __restrict const below = below_.data();
-  const std::size_t count = size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const float along = nx * x[k] + ny * y[k] + nz * z[k];
-    const float noise = relative_noise[k] * std::abs(along);
-    const float sigma = noise + kLeastSigma + kLeastSigmaPerMetre * range[k];
-    const float half_width = std::min(band.widest, band.sigmas * sigma);
-    sigmas[k] = sigma;
-    const float height = along + d;
-    heights[k] = height;
-    on[k] = std::abs(height) < half_width ? 1 : 0;
-    const float margin = kBelowBase + kBelowPerMetre * range[k] + kBelowSigmas * noise;
-    below[k] = (height < -margin) & (-along < band.deepest + margin) ? 1 : 0;
-  }
+  holdAgainst(plane.normal.cast<float>(), camera_height_, band, size(), x_.data(), y_.data(), z_.data(),
+              range_.data(), relative_noise_.data(), sigma_.data(), height_.data(), on_.data(),
+              below_.data());
 }
 
 NoisyPoints::Tally NoisyPoints::tally() const

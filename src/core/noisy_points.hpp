@@ -38,7 +38,12 @@ public:
   };
 
   void clear();
-  void add(const Eigen::Vector3f& point);
+  void add(const Eigen::Vector3f& point)
+  {
+    x_.push_back(point.x());
+    y_.push_back(point.y());
+    z_.push_back(point.z());
+  }
   std::size_t size() const { return x_.size(); }
 
   /// Holds all points against a plane. What follows speaks of this plane and band until the next call.
