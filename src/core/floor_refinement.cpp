@@ -1,6 +1,7 @@
 #include "floor_refinement.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "floor_candidates.hpp"
 
@@ -27,14 +28,20 @@ bool FloorRefinement::liesFlat(std::size_t k) const
          (k + columns_ >= pixels_.size() || pixels_.runsAlong(k, k + columns_));
 }
 
-float FloorRefinement::medianDeviation()
+float FloorRefinement::medianDeviation() const
 {
   if (picked_.empty()) return 0.0F;
-  deviations_.clear();
-  for (const std::uint32_t k : picked_) deviations_.push_back(pixels_.deviation(k));
-  const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
-  std::nth_element(deviations_.begin(), middle, deviations_.end());
-  return *middle;
+  // A histogram is fine enough for what it decides, and spares a sort by comparisons that nobody can predict.
+  constexpr float kBinsPerSigma = 64.0F;
+  std::array<std::uint32_t, 256> histogram{};
+  constexpr float kLastBin = static_cast<float>(histogram.size() - 1);
+  for (const std::uint32_t k : picked_) {
+    ++histogram[static_cast<std::size_t>(std::min(kLastBin, kBinsPerSigma * pixels_.deviation(k)))];
+  }
+  std::size_t bin = 0;
+  std::size_t up_to_bin = histogram[0];
+  while (up_to_bin <= picked_.size() / 2) up_to_bin += histogram[++bin];
+  return (static_cast<float>(bin) + 0.5F) / kBinsPerSigma;
 }
 
 std::optional<FloorRefinement::Result> FloorRefinement::refine(const Plane& rough,

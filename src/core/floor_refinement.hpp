@@ -32,12 +32,11 @@ public:
 
 private:
   bool liesFlat(std::size_t k) const;
-  float medianDeviation();
+  float medianDeviation() const;
 
   NoisyPoints pixels_;  // a regular grid of them, NaN where there is no return
   std::size_t columns_ = 0;
   std::vector<std::uint32_t> picked_;
-  std::vector<float> deviations_;
 };
 
 }  // namespace polygonal_perception

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "depth_noise.hpp"
 
@@ -26,12 +25,12 @@ void measureRanges(std::size_t count, const float* __restrict x, const float* __
   }
 }
 
-/// What each point gives when it is held against a plane.
-void holdAgainst(const Eigen::Vector3f& normal, float distance, const NoisyPoints::Band& band,
-                 std::size_t count, const float* __restrict x, const float* __restrict y,
-                 const float* __restrict z, const float* __restrict range,
-                 const float* __restrict relative_noise, float* __restrict sigmas, float* __restrict heights,
-                 std::int32_t* __restrict on, std::int32_t* __restrict below)
+/// What each point gives when it is held against a plane, and how many of them lie where.
+NoisyPoints::Tally holdAgainst(const Eigen::Vector3f& normal, float distance, const NoisyPoints::Band& band,
+                               std::size_t count, const float* __restrict x, const float* __restrict y,
+                               const float* __restrict z, const float* __restrict range,
+                               const float* __restrict relative_noise, float* __restrict sigmas,
+                               float* __restrict heights, std::int32_t* __restrict on)
 {
   // A point below this is under the floor and no noise of it: 5 cm, and 2 cm more for each metre of range.
   constexpr float kBelowBase = 0.05F;
@@ -45,6 +44,7 @@ void holdAgainst(const Eigen::Vector3f& normal, float distance, const NoisyPoint
   const float ny = normal.y();
   const float nz = normal.z();
   const auto [band_sigmas, widest, deepest] = band;
+  NoisyPoints::Tally tally;
   for (std::size_t k = 0; k < count; ++k) {
     const float along = nx * x[k] + ny * y[k] + nz * z[k];
     const float noise = relative_noise[k] * std::abs(along);
@@ -55,9 +55,12 @@ void holdAgainst(const Eigen::Vector3f& normal, float distance, const NoisyPoint
     const float margin = kBelowBase + kBelowPerMetre * range[k] + kBelowSigmas * noise;
     sigmas[k] = sigma;
     heights[k] = height;
-    on[k] = std::abs(height) < half_width ? 1 : 0;
-    below[k] = ((height < -margin) & (-along < deepest + margin)) ? 1 : 0;
+    const std::int32_t in_band = std::abs(height) < half_width ? 1 : 0;
+    on[k] = in_band;
+    tally.on += in_band;
+    tally.below += ((height < -margin) & (-along < deepest + margin)) ? 1 : 0;
   }
+  return tally;
 }
 
 }  // namespace
@@ -82,16 +85,10 @@ void NoisyPoints::compare(const Plane& plane, const Band& band)
   sigma_.resize(size());
   height_.resize(size());
   on_.resize(size());
-  below_.resize(size());
   camera_height_ = static_cast<float>(plane.distance);
-  holdAgainst(plane.normal.cast<float>(), camera_height_, band, size(), x_.data(), y_.data(), z_.data(),
-              range_.data(), relative_noise_.data(), sigma_.data(), height_.data(), on_.data(),
-              below_.data());
-}
-
-NoisyPoints::Tally NoisyPoints::tally() const
-{
-  return {std::accumulate(on_.begin(), on_.end(), 0), std::accumulate(below_.begin(), below_.end(), 0)};
+  tally_ =
+      holdAgainst(plane.normal.cast<float>(), camera_height_, band, size(), x_.data(), y_.data(), z_.data(),
+                  range_.data(), relative_noise_.data(), sigma_.data(), height_.data(), on_.data());
 }
 
 bool NoisyPoints::runsAlong(std::size_t k, std::size_t neighbour) const

@@ -52,8 +52,8 @@ public:
   /// Whether point k lies in the band.
   bool on(std::size_t k) const { return on_[k] != 0; }
 
-  /// Counts the points in the band and below the plane.
-  Tally tally() const;
+  /// The points in the band and below the plane.
+  const Tally& tally() const { return tally_; }
 
   /// Whether the surface between points k and neighbour runs along the plane rather than across it. A
   /// neighbour without a return says nothing against it.
@@ -68,17 +68,22 @@ public:
   template <class Accept>
   std::size_t pick(Accept&& accept, std::size_t enough, std::vector<std::uint32_t>& picked) const
   {
-    picked.clear();
-    const std::size_t step =
-        std::max<std::size_t>(1, static_cast<std::size_t>(tally().on) / std::max<std::size_t>(1, enough));
-    std::size_t skip = 0;
-    std::size_t looked_at = 0;
+    // Without a branch for each point: whether it is in the band is anybody's guess.
+    picked.resize(size());
+    std::size_t in_band = 0;
     for (std::uint32_t k = 0; k < size(); ++k) {
-      if (!on(k) || skip-- != 0) continue;
-      skip = step - 1;
-      ++looked_at;
-      if (accept(k)) picked.push_back(k);
+      picked[in_band] = k;
+      in_band += static_cast<std::size_t>(on_[k]);
     }
+    const std::size_t step = std::max<std::size_t>(1, in_band / std::max<std::size_t>(1, enough));
+    std::size_t looked_at = 0;
+    std::size_t accepted = 0;
+    for (std::size_t i = 0; i < in_band; i += step) {
+      const std::uint32_t k = picked[i];
+      ++looked_at;
+      if (accept(k)) picked[accepted++] = k;
+    }
+    picked.resize(accepted);
     return looked_at;
   }
 
@@ -101,7 +106,7 @@ private:
   std::vector<float> height_;
   std::vector<float> sigma_;  // standard deviation of the height
   std::vector<std::int32_t> on_;
-  std::vector<std::int32_t> below_;
+  Tally tally_;
 };
 
 }  // namespace polygonal_perception
