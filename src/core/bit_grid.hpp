@@ -15,6 +15,7 @@ class BitGrid
 {
 public:
   static constexpr int kWordBits = 64;
+  static constexpr int kSpareBits = 16;
 
   /// Takes on a size and frees every cell. Allocates only when the grid grows.
   void reset(int cells_x, int cells_y);
@@ -22,6 +23,10 @@ public:
   void pack(const BinaryGrid& cells);
   /// Writes the cells into a grid, which takes on the geometry given; it must have this grid's size.
   void unpack(const GridGeometry& geometry, BinaryGrid& cells) const;
+
+  /// Takes on the size of another grid and its cells, grown by a shape that is symmetrical: `half_widths[d]`
+  /// cells to either side in the rows d above and below a cell, none wider than the one before it.
+  void grow(const BitGrid& cells, const std::vector<int>& half_widths);
 
   int cellsX() const { return cells_x_; }
   int cellsY() const { return cells_y_; }
@@ -35,11 +40,17 @@ public:
 
   bool test(int i, int j) const { return (row(j)[i / kWordBits] >> (i % kWordBits) & 1U) != 0; }
 
+  /// To be called after a row was shifted beyond its last cell.
+  void clearSpareBits();
+
 private:
+  void addShifted(int shift);
+
   int cells_x_ = 0;
   int cells_y_ = 0;
   std::size_t words_per_row_ = 0;
   std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> shifted_;  ///< work space
 };
 
 }  // namespace polygonal_perception

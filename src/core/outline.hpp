@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "bit_grid.hpp"
+#include "lattice.hpp"
 
 namespace polygonal_perception {
-
-/// Coordinates of outlines are whole numbers of sixteenths of a cell, so that every test of one is exact.
-constexpr std::int32_t kUnitsPerCell = 16;
 
 /// The outlines of a grid's cells along their borders: closed, simple rings with solid ground to the left of
 /// every edge, thus counter-clockwise round a component of cells and clockwise round a hole in one.
@@ -23,21 +21,34 @@ struct Outlines
   /// A vertex of a doubly linked ring.
   struct Vertex
   {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
+    LatticePoint at;
     std::uint32_t previous = kNone;
     std::uint32_t next = kNone;
   };
 
   struct Ring
   {
-    std::uint32_t start = kNone;   ///< one of its vertices
-    std::uint32_t size = 0;        ///< number of its vertices
-    std::uint32_t parent = kNone;  ///< the boundary whose hole this is; kNone for a boundary
+    std::uint32_t start = kNone;  ///< one of its vertices
+    std::uint32_t size = 0;       ///< number of its vertices; 0 when the ring was given up
+    std::uint32_t parent =
+        kNone;  ///< what it lies in: of a hole the boundary, of a boundary the hole, if any
+    bool hole = false;
+    bool inhabited = false;  ///< a ring lies in it
   };
 
+  /// Takes a vertex out of its ring; its `next` becomes kNone.
+  void remove(std::uint32_t vertex, Ring& ring)
+  {
+    Vertex& removed = vertices[vertex];
+    vertices[removed.previous].next = removed.next;
+    vertices[removed.next].previous = removed.previous;
+    if (ring.start == vertex) ring.start = removed.next;
+    --ring.size;
+    removed.next = kNone;
+  }
+
   std::vector<Vertex> vertices;
-  std::vector<Ring> rings;  ///< a boundary stands before its holes
+  std::vector<Ring> rings;  ///< the parent stands before the child
 };
 
 /// Finds the outlines of a grid's cells.
@@ -48,13 +59,22 @@ public:
   void trace(const BitGrid& cells, Outlines& outlines);
 
 private:
-  void sweepRow(const BitGrid& cells, int y, Outlines& outlines);
+  struct Line;
+
+  void sweepLine(const Line& line, Outlines& outlines);
+  void addCorner(const Line& line, int x, std::uint32_t surroundings, Outlines& outlines);
+  void addCrossing(const Line& line, int x, std::uint32_t surroundings, Outlines& outlines);
+  std::uint32_t addVertex(LatticePoint at, Outlines& outlines);
+  void closeBelow(std::uint32_t vertex, int x, bool solid_before, Outlines& outlines);
+  void closeBefore(std::uint32_t vertex, bool solid_above, Outlines& outlines) const;
+  std::uint32_t outlineBefore(const Line& line, int x) const;
   void collectRings(Outlines& outlines);
 
   std::vector<std::uint64_t> outside_;     ///< a free row: what lies below the first row and above the last
   std::vector<std::uint32_t> open_below_;  ///< a column's vertex whose upper edge is being followed
+  std::uint32_t open_before_ = 0;          ///< the line's vertex whose edge along x is being followed
   std::vector<std::uint32_t>
-      left_of_;  ///< a vertex of the outline to the left of a vertex at which a hole may start
+      before_;  ///< where a ring may start: a vertex of the outline next to it along -x
   std::vector<std::uint32_t> ring_of_;  ///< the ring of a vertex
 };
 

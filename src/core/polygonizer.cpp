@@ -1,17 +1,43 @@
 #include "polygonal_perception/polygonizer.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include "bit_grid.hpp"
+#include "closing.hpp"
 #include "outline.hpp"
+#include "proximity.hpp"
+#include "simplification.hpp"
+#include "staircase.hpp"
 
 namespace polygonal_perception {
 
+namespace {
+
+/// [cells] How far beyond robot_radius and tolerance the contract lets a polygon reach: what whole cells and
+/// the bridging of their slanted steps may take.
+constexpr double kDiscretisation = 1.5;
+/// Gaps of this share of the tolerance are closed. It matters with large tolerances, where small obstacles
+/// stand close together for it.
+constexpr double kClosedGap = 0.5;
+/// A tolerance of whole cells may come out of its division a rounding error short.
+constexpr double kRounding = 1e-6;
+/// A vertex is worth the area of a cell and this many times the tolerance squared. doc/polygons.md has what
+/// follows from it.
+constexpr double kAreaOfTolerance = 3.0;
+
+}  // namespace
+
 struct Polygonizer::Workspace
 {
+  BitGrid occupied;
   BitGrid inflated;
+  Closing closing;
   OutlineTracer tracer;
   Outlines outlines;
+  Proximity proximity;
+  StaircaseBridging bridging;
+  Simplification simplification;
   std::vector<std::uint32_t> first_hole;  ///< of a ring
   std::vector<std::uint32_t> next_hole;   ///< of the same parent, after this ring
 
@@ -23,13 +49,12 @@ void Polygonizer::Workspace::writeRing(const Outlines::Ring& ring, const GridGeo
                                        PolygonSet& polygons) const
 {
   const double unit = geometry.resolution / kUnitsPerCell;
-  polygons.rings.push_back(
-      {static_cast<std::uint32_t>(polygons.vertices.size()), ring.size, ring.parent != Outlines::kNone});
-  std::uint32_t at = ring.start;
+  polygons.rings.push_back({static_cast<std::uint32_t>(polygons.vertices.size()), ring.size, ring.hole});
+  std::uint32_t vertex = ring.start;
   for (std::uint32_t n = 0; n < ring.size; ++n) {
-    const Outlines::Vertex& vertex = outlines.vertices[at];
-    polygons.vertices.emplace_back(geometry.origin_x + vertex.x * unit, geometry.origin_y + vertex.y * unit);
-    at = vertex.next;
+    const LatticePoint at = outlines.vertices[vertex].at;
+    polygons.vertices.emplace_back(geometry.origin_x + at.x * unit, geometry.origin_y + at.y * unit);
+    vertex = outlines.vertices[vertex].next;
   }
 }
 
@@ -40,12 +65,12 @@ void Polygonizer::Workspace::writePolygons(const GridGeometry& geometry, Polygon
   first_hole.assign(rings.size(), Outlines::kNone);
   next_hole.assign(rings.size(), Outlines::kNone);
   for (std::size_t r = rings.size(); r-- > 0;) {
-    if (rings[r].parent == Outlines::kNone || rings[r].size == 0) continue;
+    if (!rings[r].hole || rings[r].size == 0) continue;
     next_hole[r] = first_hole[rings[r].parent];
     first_hole[rings[r].parent] = static_cast<std::uint32_t>(r);
   }
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (rings[r].parent != Outlines::kNone) continue;
+    if (rings[r].hole) continue;
     writeRing(rings[r], geometry, polygons);
     for (std::uint32_t hole = first_hole[r]; hole != Outlines::kNone; hole = next_hole[hole]) {
       writeRing(rings[hole], geometry, polygons);
@@ -61,13 +86,28 @@ Polygonizer::Polygonizer(Polygonizer&&) noexcept = default;
 Polygonizer& Polygonizer::operator=(Polygonizer&&) noexcept = default;
 Polygonizer::~Polygonizer() = default;
 
-void Polygonizer::polygonize(const BinaryGrid& /*occupancy*/, const BinaryGrid& inflated,
-                             double /*robot_radius*/, PolygonSet& polygons)
+void Polygonizer::polygonize(const BinaryGrid& occupancy, const BinaryGrid& inflated, double robot_radius,
+                             PolygonSet& polygons)
 {
+  const GridGeometry& geometry = inflated.geometry();
+  const double radius = robot_radius / geometry.resolution;
+  const double tolerance = parameters_.simplification_tolerance / geometry.resolution;
+  const int closed_gap = static_cast<int>(kClosedGap * tolerance + kRounding);
+  // No point of an inflated cell is farther from an occupied one than this.
+  const double covered_reach = radius + std::sqrt(2.0) + closed_gap * std::sqrt(0.5);
+  const double limit = radius + kDiscretisation + tolerance;
+
   Workspace& work = *workspace_;
+  work.occupied.pack(occupancy);
   work.inflated.pack(inflated);
+  work.closing.close(closed_gap, work.inflated);
   work.tracer.trace(work.inflated, work.outlines);
-  work.writePolygons(inflated.geometry(), polygons);
+  work.proximity.setLimit(limit, limit - covered_reach);
+  work.proximity.setCells(work.occupied, work.inflated);
+  work.bridging.bridge(work.inflated, work.proximity, work.outlines);
+  work.simplification.simplify(geometry.cells_x, geometry.cells_y,
+                               1.0 + kAreaOfTolerance * tolerance * tolerance, work.proximity, work.outlines);
+  work.writePolygons(geometry, polygons);
 }
 
 }  // namespace polygonal_perception
