@@ -162,14 +162,16 @@ void PolygonalPerceptionRos::processWaiting()
 
 void PolygonalPerceptionRos::checkClock()
 {
+  // Frames of the new time may come before its clock does: then last_stamp_ is not far ahead any more.
+  const ros::Duration clock_lag(1.0);
   const ros::Time now = ros::Time::now();
-  if (now < last_now_) forgetTime("the clock was set back");
+  if (now < last_now_ && now + clock_lag < last_stamp_) forgetTime("the clock was set back");
   last_now_ = now;
 }
 
 void PolygonalPerceptionRos::forgetTime(const std::string& reason)
 {
-  ROS_WARN_STREAM("[" << name_ << "] time has jumped back (" << reason << "): starting anew");
+  log_.warn("time", "time has jumped back (" + reason + "): starting anew");
   processor_->forgetTime();
   statistics_.interrupt();
   statistics_.startReport(FrameStatistics::Clock::now());

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "polygonal_perception/parameter_check.hpp"
 #include "polygonal_perception/ros/node_parameters.hpp"
 
@@ -117,6 +120,23 @@ TEST_F(NodeParametersTest, AreWrittenBack)
   EXPECT_EQ(handle_.param("samples_y", 0), 24);
   const NodeParameters read_back = read();
   EXPECT_EQ(read_back.pipeline.inflation.robot_radius, 0.45);
+}
+
+TEST(ShippedConfigurations, AreTakenWhole)
+{
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(CONFIG_FOLDER)) {
+    const ros::NodeHandle handle("/configurations/" + file.path().stem().string());
+    ASSERT_EQ(std::system(("rosparam load " + file.path().string() + " " + handle.getNamespace()).c_str()),
+              0);
+    Texts errors;
+    Texts warnings;
+    readNodeParameters(handle, errors, warnings);
+    EXPECT_TRUE(errors.empty()) << file.path() << ": " << errors.front();
+    EXPECT_TRUE(warnings.empty()) << file.path() << ": " << warnings.front();
+    ++count;
+  }
+  EXPECT_GE(count, 4) << "in " << CONFIG_FOLDER;
 }
 
 TEST(ParameterTable, HasARowAParameter)

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""Starts each launch file as a user does and looks at what comes out."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import rosbag
+import rospy
+import rostest
+
+import scene
+from node_client import FOUND, Clock, NodeClient
+
+from polygonal_perception.msg import FloorPlane
+
+
+class Launched:
+    """A launch file that runs as long as the context lasts."""
+
+    def __init__(self, name, **args):
+        self.command = ['roslaunch', 'polygonal_perception', name] + ['%s:=%s' % item for item in args.items()]
+
+    def __enter__(self):
+        self.process = subprocess.Popen(self.command)
+        return self
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGINT)
+        self.process.wait()
+
+
+def config(name):
+    return os.path.join(os.path.dirname(__file__), '..', '..', 'config', name)
+
+
+class LaunchTest(unittest.TestCase):
+    def check_frames(self, client, camera, count=3):
+        clock = Clock()
+        for _ in range(count):
+            answer = client.ask(camera.cloud(camera.render(), clock.tick()))
+            self.assertEqual(answer['floor'].status, FOUND)
+        return answer
+
+    def test_with_its_own_manager(self):
+        with Launched('polygonal_perception.launch', config=config('nao.yaml')):
+            client = NodeClient(['floor', 'polygons'])
+            self.check_frames(client, scene.Camera(height=0.5))
+            self.assertEqual(rospy.get_param('/polygonal_perception/robot_radius'), 0.2)
+
+    def test_in_a_manager_that_runs(self):
+        with subprocess.Popen(['rosrun', 'nodelet', 'nodelet', 'manager', '__name:=driver']) as manager:
+            try:
+                with Launched('polygonal_perception.launch', manager='driver'):
+                    client = NodeClient(['floor', 'polygons'])
+                    self.check_frames(client, scene.Camera())
+            finally:
+                manager.send_signal(signal.SIGINT)
+
+    def test_the_replay_begins_again_and_again(self):
+        camera = scene.Camera(width=160, rows=120)
+        stamps = [rospy.Time(1000 + k / 10.0) for k in range(15)]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'frames.bag')
+            with rosbag.Bag(path, 'w') as bag:
+                for stamp in stamps:
+                    bag.write('/camera/depth/image_raw', camera.image(camera.render(), stamp), stamp)
+                    bag.write('/camera/depth/camera_info', camera.info(stamp), stamp)
+            with Launched('replay.launch', bag=path, rviz='false', rate='3'):
+                client = NodeClient(outputs=())
+                client.read('floor')
+                for _ in range(2):
+                    # The last frame, and then an early one after it.
+                    self.assertEqual(client.answer(stamps[-1])['floor'].status, FOUND)
+                    client.answers.clear()
+                    self.assertEqual(client.answer(stamps[8])['floor'].status, FOUND)
+                client.wait_for_log('time has jumped back')
+
+    @unittest.skipUnless(rospy.get_param('/has_simulation', False), 'built without Embree')
+    def test_the_demo_finds_the_true_floor(self):
+        with Launched('demo.launch', rviz='false', rate='10'):
+            client = NodeClient(outputs=())
+            truth = {}
+
+            def keep(message):
+                truth[message.header.stamp.to_nsec()] = message
+            reader = rospy.Subscriber('/simulated_camera/ground_truth/floor', FloorPlane, keep)
+            client.read('floor')
+            client.read('polygons')
+
+            def both():
+                return [k for k in truth if {'floor', 'polygons'} <= set(client.answers.get(k, {}))]
+            client.wait_for(lambda: len(both()) >= 10, 'ten answers with their truth', 30.0)
+            reader.unregister()
+            for key in both():
+                true, found = truth[key], client.answers[key]['floor']
+                self.assertEqual(found.status, FOUND)
+                cosine = np.dot([true.normal.x, true.normal.y, true.normal.z],
+                                [found.normal.x, found.normal.y, found.normal.z])
+                self.assertLess(np.degrees(np.arccos(min(cosine, 1.0))), 1.0)
+                self.assertAlmostEqual(found.distance, true.distance, delta=0.02)
+            self.assertTrue(any(client.answers[k]['polygons'].polygons for k in both()))
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_launch')
+    rostest.rosrun('polygonal_perception', 'test_launch', LaunchTest, sys.argv)
