@@ -92,6 +92,7 @@ void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
   const int enough = parameters_.min_points_per_cell;
   for (std::uint32_t v = 0; v < rows; ++v) {
     for (const CellBlock& block : workspace_->scanner.row(v)) {
+#pragma GCC unroll 8
       for (std::size_t lane = 0; lane < kBlock; ++lane) {
         std::uint8_t& count = counts[kTurns * block.cell[lane] + lane % kTurns];
         count = static_cast<std::uint8_t>(count + (count < enough ? 1 : 0));

@@ -11,10 +11,10 @@ namespace polygonal_perception {
 namespace {
 
 /// The pixel of sample i of n that are spread over a side of the image, its first and last pixel included.
-std::uint32_t pixelOf(int i, int n, std::uint32_t side)
+int pixelOf(int i, int n, int side)
 {
-  return n > 1 ? static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (side - 1) / (n - 1)))
-               : side / 2;
+  // Rounded to the nearest, in integers: this is done for every sample of every frame.
+  return n > 1 ? (2 * i * (side - 1) + (n - 1)) / (2 * (n - 1)) : side / 2;
 }
 
 bool isReturn(const Eigen::Vector3f& p)
@@ -68,10 +68,10 @@ void SampleGrid::takePoints(const PointView& points)
   const auto height = static_cast<int>(points.height());
   const int reach = std::max(width / samples_x_, height / samples_y_) / 4;
   for (int j = 0; j < samples_y_; ++j) {
+    const int v = pixelOf(j, samples_y_, height);
     for (int i = 0; i < samples_x_; ++i) {
       Sample& sample = samples_[static_cast<std::size_t>(j * samples_x_ + i)];
-      const auto u = static_cast<int>(pixelOf(i, samples_x_, points.width()));
-      const auto v = static_cast<int>(pixelOf(j, samples_y_, points.height()));
+      const int u = pixelOf(i, samples_x_, width);
       const auto take = [&](int at_u, int at_v) {
         if (at_u < 0 || at_u >= width || at_v < 0 || at_v >= height) return false;
         sample.point = points.point(static_cast<std::uint32_t>(at_u), static_cast<std::uint32_t>(at_v));
