@@ -22,7 +22,7 @@ struct Range
 /// that calls `visit(name, self.member, Range{min, max}, unit, help)` for each member. The ROS side reads,
 /// checks, reconfigures and documents parameters through it; names are unique across all stages.
 ///
-/// `check` is the visitor that the core itself uses: it remembers the first parameter out of its range.
+/// This visitor remembers the first parameter that is out of its range.
 class RangeCheck
 {
 public:

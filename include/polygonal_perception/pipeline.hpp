@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polygonal_perception/binary_grid.hpp"
+#include "polygonal_perception/drop_offs.hpp"
 #include "polygonal_perception/floor_detector.hpp"
 #include "polygonal_perception/floor_tracker.hpp"
 #include "polygonal_perception/inflation.hpp"
@@ -49,6 +50,7 @@ public:
     FloorDetector::Parameters detector;
     GridParameters grid;
     Projection::Parameters projection;
+    DropOffs::Parameters drop_offs;
     Inflation::Parameters inflation;
     Polygonizer::Parameters polygonizer;
 
@@ -61,6 +63,7 @@ public:
       FloorDetector::Parameters::describe(self.detector, visit);
       GridParameters::describe(self.grid, visit);
       Projection::Parameters::describe(self.projection, visit);
+      DropOffs::Parameters::describe(self.drop_offs, visit);
       Inflation::Parameters::describe(self.inflation, visit);
       Polygonizer::Parameters::describe(self.polygonizer, visit);
     }
@@ -109,6 +112,7 @@ private:
   SampleGrid samples_;
   FloorTracker tracker_;
   Projection projection_;
+  DropOffs drop_offs_;
   Inflation inflation_;
   Polygonizer polygonizer_;
   std::optional<Eigen::Vector3d> forward_;

@@ -22,6 +22,7 @@ Pipeline::Pipeline(const Parameters& parameters)
       samples_(parameters.samples),
       tracker_(parameters.tracker, parameters.detector),
       projection_(parameters.projection),
+      drop_offs_(parameters.drop_offs),
       inflation_(parameters.inflation),
       polygonizer_(parameters.polygonizer)
 {
@@ -43,8 +44,10 @@ const Pipeline::Result& Pipeline::process(const Frame& frame, Goal goal)
   result_.to_floor_frame = floorFrame(result_.floor.floor.plane, *forward_);
 
   if (goal == Goal::kFloor) return result_;
-  result_.times.projection =
-      timed([&] { projection_.project(frame.points, result_.to_floor_frame, result_.occupancy); });
+  result_.times.projection = timed([&] {
+    projection_.project(frame.points, result_.to_floor_frame, result_.occupancy);
+    drop_offs_.mark(frame.points, result_.to_floor_frame, result_.occupancy);
+  });
   if (goal == Goal::kOccupancy) return result_;
   result_.times.inflation = timed([&] { inflation_.inflate(result_.occupancy, result_.inflated); });
   if (goal == Goal::kInflation) return result_;
@@ -67,6 +70,7 @@ void Pipeline::configure(const Parameters& parameters)
   samples_ = SampleGrid(parameters.samples);
   tracker_.configure(parameters.tracker, parameters.detector);
   projection_ = Projection(parameters.projection);
+  drop_offs_ = DropOffs(parameters.drop_offs);
   inflation_ = Inflation(parameters.inflation);
   polygonizer_ = Polygonizer(parameters.polygonizer);
 }
