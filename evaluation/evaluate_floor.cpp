@@ -46,13 +46,15 @@ bool dropsOff(const std::string& scene)
 }
 
 void drawPicture(const std::string& folder, const std::string& name, const PointView& view,
-                 const cv::Mat1f& depth)
+                 const cv::Mat1f& depth, double max_camera_height)
 {
   SampleGrid grid{SampleGrid::Parameters{}};
   grid.update(view);
   FloorPrior prior;
   prior.up = -Eigen::Vector3d::UnitY();
-  FloorDetector detector{FloorDetector::Parameters{}};
+  FloorDetector::Parameters parameters;
+  parameters.max_camera_height = max_camera_height;
+  FloorDetector detector(parameters);
   detector.detect(view, grid, prior);
   cv::imwrite(folder + "/" + name + ".png", drawFloor(depth, grid, detector.labels()));
 }
@@ -75,16 +77,18 @@ void run(const Options& options, const std::string& scene, const std::string& tr
     camera.render(static_cast<std::uint32_t>(k), frame);
     const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
     grid.update(view);
+    const double highest =
+        dropsOff(scene) ? frame.floor.distance + kKnownHeight : FloorDetector::Parameters{}.max_camera_height;
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      methods[m]->boundHeight(dropsOff(scene) ? frame.floor.distance + kKnownHeight
-                                              : FloorDetector::Parameters{}.max_camera_height);
+      methods[m]->boundHeight(highest);
       if (independent(trajectory)) methods[m]->reset();
       scores[m].add(methods[m]->see(view, grid, frame.time), frame.floor, frame.floor_fraction);
     }
     if (k == 0 && !options.pictures.empty()) {
       drawPicture(
           options.pictures, scene + "_" + trajectory, view,
-          cv::Mat1f(static_cast<int>(pinhole.height), static_cast<int>(pinhole.width), frame.depth.data()));
+          cv::Mat1f(static_cast<int>(pinhole.height), static_cast<int>(pinhole.width), frame.depth.data()),
+          highest);
     }
   }
 }
@@ -152,7 +156,8 @@ void evaluateRecorded(const Options& options)
         if (alone && !options.pictures.empty()) {
           std::string name = frames[k].name;
           for (char& c : name) c = c == '/' ? '_' : c;
-          drawPicture(options.pictures, name, loaded.view(), loaded.depth);
+          drawPicture(options.pictures, name, loaded.view(), loaded.depth,
+                      FloorDetector::Parameters{}.max_camera_height);
         }
       }
       printRows(frames[first].set, methods, scores);
