@@ -53,7 +53,7 @@ std::optional<FloorRefinement::Result> FloorRefinement::refine(const Plane& roug
   // again and again: the foot of a lamp is nearer to the floor than the noise model alone could tell.
   constexpr float kClip = 3.7F;
   constexpr float kLeastClip = 0.5F;
-  constexpr int kRounds = 4;
+  constexpr int kRounds = 3;
   constexpr double kLargestNormalSigma = 0.02;  // [rad] more uncertain than this it is no floor
   constexpr double kLeastSupport = 0.006;       // of all pixels
   // The plane along the noses of a staircase has many points near it, but the surface runs along it in few: a
