@@ -64,7 +64,8 @@ public:
   /// Forgets everything; the next frame starts from the seed.
   void reset();
 
-  /// Whether the update at `stamp` has no floor to start from, and so wants an up vector from tf if there is one.
+  /// Whether the update at `stamp` has no floor to start from, and so wants an up vector from tf if there is
+  /// one.
   bool needsSeed(double stamp) const { return !parameters_.up_feedback || !standsAt(stamp); }
 
   const FloorState& state() const { return state_; }

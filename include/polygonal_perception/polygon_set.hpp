@@ -6,8 +6,8 @@
 
 namespace polygonal_perception {
 
-/// The obstacles of a frame: polygons with holes, all their vertices in one array, so that a set that is filled again
-/// and again stops allocating.
+/// The obstacles of a frame: polygons with holes, all their vertices in one array, so that a set that is
+/// filled again and again stops allocating.
 ///
 /// A boundary runs counter-clockwise seen from above, a hole clockwise; the first vertex is not repeated.
 struct PolygonSet

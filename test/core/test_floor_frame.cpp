@@ -1,6 +1,6 @@
-#include "polygonal_perception/floor_frame.hpp"
-
 #include <gtest/gtest.h>
+
+#include "polygonal_perception/floor_frame.hpp"
 
 namespace polygonal_perception {
 namespace {

@@ -44,7 +44,8 @@ TEST(SimulatedCamera, FloorPlaneIsTheOneThatFloorPixelsLieOn)
           ++floor_pixels;
           // Mats are up to 5 mm high.
           ASSERT_GT(height, -1e-4) << scene << " frame " << index;
-          ASSERT_LT(height, scene.find("office") == std::string::npos ? 1e-4 : 0.0051) << scene << " frame " << index;
+          ASSERT_LT(height, scene.find("office") == std::string::npos ? 1e-4 : 0.0051)
+              << scene << " frame " << index;
         } else if (frame.truth.surface[i] == Surface::kLowerFloor) {
           ASSERT_LT(height, 1e-4) << scene;
         }
