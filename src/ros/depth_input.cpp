@@ -55,7 +55,7 @@ void DepthInput::setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
 
 bool DepthInput::awaitsCameraInfo(const sensor_msgs::Image& image) const
 {
-  return !info_ || (in_pairs_ && info_->header.stamp < image.header.stamp);
+  return !info_ || (in_pairs_ && info_->header.stamp != image.header.stamp);
 }
 
 Expected<PointView> DepthInput::view(const sensor_msgs::Image& image)
@@ -93,7 +93,7 @@ Expected<PointView> DepthInput::view(const sensor_msgs::Image& image)
 
 std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
 {
-  if (!info_) return "no camera_info has come yet";
+  if (!info_) return "no camera_info has come yet on " + info_topic_;
   const sensor_msgs::CameraInfo& info = *info_;
   const Intrinsics k = intrinsicsOf(info);
   if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy))) {
@@ -120,11 +120,6 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
     info_of_rays_ = info_;
   }
   return {};
-}
-
-void DepthInput::reset()
-{
-  *this = DepthInput();
 }
 
 }  // namespace polygonal_perception

@@ -8,13 +8,14 @@
 
 namespace polygonal_perception {
 
-FrameProcessor::FrameProcessor(const NodeParameters& parameters, Outputs& outputs,
-                               FrameStatistics& statistics, ThrottledLog& log)
+FrameProcessor::FrameProcessor(const NodeParameters& parameters, const std::string& info_topic,
+                               Outputs& outputs, FrameStatistics& statistics, ThrottledLog& log)
     : parameters_(parameters),
       outputs_(outputs),
       statistics_(statistics),
       log_(log),
-      pipeline_(parameters.pipeline)
+      pipeline_(parameters.pipeline),
+      depth_input_(info_topic)
 {
   if (!parameters.up_frame.empty() || !parameters.output_frame.empty()) tf_ = std::make_unique<TfBridge>();
 }

@@ -38,7 +38,8 @@ PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
   // Readers may come before everything stands: their callbacks wait outside.
   const auto inside = gate_->enter();
   outputs_ = std::make_unique<Outputs>(private_handle_, gated(gate_, [this] { updateSubscription(); }));
-  processor_ = std::make_unique<FrameProcessor>(parameters_, *outputs_, statistics_, log_);
+  processor_ = std::make_unique<FrameProcessor>(parameters_, handle_.resolveName(topics::kCameraInfo),
+                                                *outputs_, statistics_, log_);
   reconfigure_ = std::make_unique<ReconfigureServer>(
       private_handle_, parameters_.pipeline,
       gated(gate_, [this](const Pipeline::Parameters& parameters) { processor_->configure(parameters); }));
@@ -184,10 +185,8 @@ void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrappe
   checkClock();
   NodeState state;
   state.active = subscribed_;
-  const bool lacks_info = parameters_.input == "depth" && !processor_->hasCameraInfo();
-  const ros::Subscriber& awaited = lacks_info && statistics_.recentlyReceived() > 0 ? camera_info_ : frames_;
-  state.awaited_topic = awaited.getTopic();
-  state.awaited_is_published = awaited.getNumPublishers() > 0;
+  state.awaited_topic = frames_.getTopic();
+  state.awaited_is_published = frames_.getNumPublishers() > 0;
   state.floor = processor_->floor();
   state.attitude = processor_->attitude();
   const auto now = FrameStatistics::Clock::now();

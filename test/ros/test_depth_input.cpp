@@ -54,7 +54,7 @@ sensor_msgs::CameraInfoPtr info(double stamp = 1.0)
 template <class Spoil>
 std::string errorOf(Spoil&& spoil)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   sensor_msgs::Image bad = millimetres();
   sensor_msgs::CameraInfoPtr bad_info = info();
   spoil(bad, *bad_info);
@@ -66,7 +66,7 @@ std::string errorOf(Spoil&& spoil)
 
 TEST(DepthInput, ReadsMillimetresAndMetresByTheRectifiedProjection)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   input.setCameraInfo(info());
   for (const sensor_msgs::Image& image : {millimetres(), metres()}) {
     const Expected<PointView> view = input.view(image);
@@ -83,7 +83,7 @@ TEST(DepthInput, ReadsMillimetresAndMetresByTheRectifiedProjection)
 
 TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   sensor_msgs::CameraInfoPtr full = info();
   full->width = 20;
   full->height = 10;
@@ -103,7 +103,7 @@ TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)
 
 TEST(DepthInput, FollowsANewCalibrationAndSize)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   input.setCameraInfo(info());
   const sensor_msgs::Image message = millimetres();
   EXPECT_NEAR(input.view(message)->point(0, 0).x(), -0.5, 1e-6);
@@ -115,9 +115,9 @@ TEST(DepthInput, FollowsANewCalibrationAndSize)
 
 TEST(DepthInput, WaitsForTheInfoOfAnImageWhereTheyComeInPairs)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   EXPECT_TRUE(input.awaitsCameraInfo(millimetres(1.0))) << "none yet";
-  EXPECT_EQ(input.view(millimetres(1.0)).error(), "no camera_info has come yet");
+  EXPECT_EQ(input.view(millimetres(1.0)).error(), "no camera_info has come yet on /camera/camera_info");
   input.setCameraInfo(info(1.0));
   EXPECT_FALSE(input.awaitsCameraInfo(millimetres(1.0)));
   input.view(millimetres(1.0));
@@ -132,7 +132,7 @@ TEST(DepthInput, WaitsForTheInfoOfAnImageWhereTheyComeInPairs)
 
 TEST(DepthInput, DoesNotWaitForAnInfoThatCameOnce)
 {
-  DepthInput input;
+  DepthInput input("/camera/camera_info");
   input.setCameraInfo(info(0.0));
   EXPECT_FALSE(input.awaitsCameraInfo(millimetres(1.0)));
   EXPECT_TRUE(input.view(millimetres(1.0)));

@@ -69,7 +69,7 @@ protected:
 
 TEST_F(NodeletAllocations, AreNoneWithoutReaders)
 {
-  FrameProcessor processor(parameters_, outputs_, statistics_, log_);
+  FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
   EXPECT_EQ(ofAFrame(processor), 0U);
   EXPECT_EQ(processor.floor().status, FloorStatus::kFound);
 }
@@ -81,7 +81,7 @@ TEST_F(NodeletAllocations, AreThePolygonsWithAReaderOfThem)
     polygons = p;
   };
   const ros::Subscriber reader = node_.subscribe<PolygonArray>("polygons", 5, keep);
-  FrameProcessor processor(parameters_, outputs_, statistics_, log_);
+  FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
   const std::size_t count = ofAFrame(processor);
   ASSERT_TRUE(polygons);
   ASSERT_EQ(polygons->polygons.size(), 1U);

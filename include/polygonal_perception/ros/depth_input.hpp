@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "polygonal_perception/point_view.hpp"
 #include "polygonal_perception/ros/expected.hpp"
@@ -20,11 +21,11 @@ namespace polygonal_perception {
 class DepthInput
 {
 public:
+  /// @param info_topic  where the calibration comes from, for errors
+  explicit DepthInput(std::string info_topic) : info_topic_(std::move(info_topic)) {}
+
   /// Takes on a calibration.
   void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
-
-  /// Whether a camera_info has come since the last reset.
-  bool hasCameraInfo() const { return info_ != nullptr; }
 
   /// Whether the camera_info of this image is still to be expected.
   bool awaitsCameraInfo(const sensor_msgs::Image& image) const;
@@ -36,12 +37,10 @@ public:
   ///         32FC1 in metres, little-endian, and a camera_info of the same size with positive focal lengths
   Expected<PointView> view(const sensor_msgs::Image& image);
 
-  /// Forgets the calibration.
-  void reset();
-
 private:
   std::string adoptCalibration(const sensor_msgs::Image& image);
 
+  std::string info_topic_;
   sensor_msgs::CameraInfoConstPtr info_;
   sensor_msgs::CameraInfoConstPtr info_of_rays_;
   std::optional<ros::Time> last_image_;

@@ -33,12 +33,12 @@ struct InputFrame
 class FrameProcessor
 {
 public:
+  /// @param info_topic  where camera_info comes from, for errors
   /// @param outputs, statistics, log  must outlive it
-  FrameProcessor(const NodeParameters& parameters, Outputs& outputs, FrameStatistics& statistics,
-                 ThrottledLog& log);
+  FrameProcessor(const NodeParameters& parameters, const std::string& info_topic, Outputs& outputs,
+                 FrameStatistics& statistics, ThrottledLog& log);
 
   void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info) { depth_input_.setCameraInfo(info); }
-  bool hasCameraInfo() const { return depth_input_.hasCameraInfo(); }
 
   /// Answers a frame or says why not. Never throws.
   /// @param may_wait  whether the frame may come again a little later, when its transforms have arrived
@@ -50,7 +50,7 @@ public:
 
   /// Forgets the floor.
   void forgetFloor();
-  /// Forgets all that has a time: the floor, the transforms, the calibration.
+  /// Forgets all that has a time: the floor and the transforms.
   void forgetTime();
 
   /// As it was answered last.
