@@ -17,6 +17,8 @@ void FloorRefinement::take(const PointView& points)
   pixels_.clear();
   columns_ = (points.width() - step_u / 2 + step_u - 1) / step_u;
   for (std::uint32_t v = step_v / 2; v < points.height(); v += step_v) {
+    const std::uint32_t next = std::min(v + step_v, points.height() - 1);
+    for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) points.prefetch(u, next);
     for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) pixels_.add(points.point(u, v));
   }
 }

@@ -67,6 +67,12 @@ void SampleGrid::takePoints(const PointView& points)
   const auto width = static_cast<int>(points.width());
   const auto height = static_cast<int>(points.height());
   const int reach = std::max(width / samples_x_, height / samples_y_) / 4;
+  const auto at = [](int pixel) { return static_cast<std::uint32_t>(pixel); };
+  for (int j = 0; j < samples_y_; ++j) {
+    for (int i = 0; i < samples_x_; ++i) {
+      points.prefetch(at(pixelOf(i, samples_x_, width)), at(pixelOf(j, samples_y_, height)));
+    }
+  }
   for (int j = 0; j < samples_y_; ++j) {
     const int v = pixelOf(j, samples_y_, height);
     for (int i = 0; i < samples_x_; ++i) {
@@ -74,7 +80,7 @@ void SampleGrid::takePoints(const PointView& points)
       const int u = pixelOf(i, samples_x_, width);
       const auto take = [&](int at_u, int at_v) {
         if (at_u < 0 || at_u >= width || at_v < 0 || at_v >= height) return false;
-        sample.point = points.point(static_cast<std::uint32_t>(at_u), static_cast<std::uint32_t>(at_v));
+        sample.point = points.point(at(at_u), at(at_v));
         sample.u = static_cast<std::uint16_t>(at_u);
         sample.v = static_cast<std::uint16_t>(at_v);
         return isReturn(sample.point);
