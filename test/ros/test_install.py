@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Installs into a fresh prefix and uses the package from there: from outside, and as the examples in doc/ do."""
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -112,6 +113,15 @@ class InstallTest(unittest.TestCase):
         for what, got, bare in [('front', min(x), 2.0 - 0.3), ('right', min(y), -0.2 - 0.3), ('left', -max(y), -0.2 - 0.3)]:
             self.assertLessEqual(got, bare + 0.02, what + '\n' + output)
             self.assertGreater(got, bare - 0.15, what + '\n' + output)
+
+    def test_the_documentation_shows_what_the_examples_do(self):
+        with open(os.path.join(SOURCE, 'doc', 'consumers.md')) as page:
+            blocks = re.findall(r'```(cpp|python)\n(.*?)```', page.read(), re.DOTALL)
+        self.assertEqual([language for language, _ in blocks], ['cpp', 'python'])
+        for language, code in blocks:
+            name = {'cpp': 'is_free.cpp', 'python': 'is_free.py'}[language]
+            with open(os.path.join(SOURCE, 'doc', 'examples', name)) as example:
+                self.assertIn(code, example.read(), name)
 
     def test_examples(self):
         self.start('roslaunch', 'polygonal_perception', 'polygonal_perception.launch')
