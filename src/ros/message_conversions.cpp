@@ -70,8 +70,8 @@ nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header, const G
 nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const BinaryGrid& grid,
                                            const Eigen::Isometry2d& output_pose)
 {
-  constexpr std::int8_t kFree = 0;
-  constexpr std::int8_t kOccupied = 100;
+  static constexpr std::int8_t kFree = 0;  // static: GCC 10 would have the lambda capture them
+  static constexpr std::int8_t kOccupied = 100;
   auto message = toUnknownGrid(header, grid.geometry(), output_pose);
   std::transform(grid.cells().begin(), grid.cells().end(), message->data.begin(),
                  [](std::uint8_t cell) { return cell != 0 ? kOccupied : kFree; });
