@@ -1,0 +1,57 @@
+#pragma once
+
+#include <polygonal_perception/FloorPlane.h>
+#include <rviz/message_filter_display.h>
+
+#include <memory>
+#include <string>
+
+#include "floor_shape.hpp"
+
+namespace rviz {
+class BoolProperty;
+class ColorProperty;
+class EnumProperty;
+class FloatProperty;
+}  // namespace rviz
+
+namespace polygonal_perception {
+
+/// Shows a polygonal_perception/FloorPlane: the hull of its samples or a patch of the plane, the normal under
+/// the camera and the camera's height.
+class FloorPlaneDisplay : public rviz::MessageFilterDisplay<FloorPlane>
+{
+  Q_OBJECT
+public:
+  FloorPlaneDisplay();
+  ~FloorPlaneDisplay() override;
+
+  void reset() override;
+
+protected:
+  void onInitialize() override;
+
+private Q_SLOTS:
+  /// Draws the last message as the properties are now.
+  void redraw();
+
+private:
+  void processMessage(const FloorPlane::ConstPtr& message) override;
+  std::string text() const;
+
+  // rviz owns the properties: they are children of the display.
+  rviz::EnumProperty* area_;
+  rviz::FloatProperty* patch_size_;
+  rviz::ColorProperty* color_;
+  rviz::FloatProperty* alpha_;
+  rviz::FloatProperty* line_width_;
+  rviz::BoolProperty* show_normal_;
+  rviz::FloatProperty* normal_length_;
+  rviz::BoolProperty* show_height_;
+  rviz::FloatProperty* text_size_;
+
+  FloorPlane::ConstPtr message_;  ///< the last; null before the first
+  std::unique_ptr<FloorShape> shape_;
+};
+
+}  // namespace polygonal_perception

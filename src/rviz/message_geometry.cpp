@@ -1,0 +1,85 @@
+#include "message_geometry.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace polygonal_perception {
+
+namespace {
+
+bool isFinite(const geometry_msgs::Point32& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// @return whether the ring could be drawn and was appended
+bool appendRing(const geometry_msgs::Polygon& ring, bool hole, PolygonSet& polygons)
+{
+  if (ring.points.size() < 3 || !std::all_of(ring.points.begin(), ring.points.end(), isFinite)) return false;
+  polygons.rings.push_back({static_cast<std::uint32_t>(polygons.vertices.size()),
+                            static_cast<std::uint32_t>(ring.points.size()), hole});
+  for (const geometry_msgs::Point32& p : ring.points) polygons.vertices.emplace_back(p.x, p.y);
+  return true;
+}
+
+Eigen::Vector3d normalOf(const FloorPlane& floor)
+{
+  return {floor.normal.x, floor.normal.y, floor.normal.z};
+}
+
+}  // namespace
+
+std::optional<PolygonSet> toPolygonSet(const ObstaclePolygon& polygon)
+{
+  PolygonSet polygons;
+  if (!appendRing(polygon.boundary, false, polygons)) return std::nullopt;
+  for (const geometry_msgs::Polygon& hole : polygon.holes) {
+    if (!appendRing(hole, true, polygons)) return std::nullopt;
+  }
+  return polygons;
+}
+
+bool isDrawable(const FloorPlane& floor)
+{
+  constexpr double kUnitTolerance = 1e-3;
+  // Written so that a normal or a distance of NaN fails.
+  return std::abs(normalOf(floor).norm() - 1.0) < kUnitTolerance && std::isfinite(floor.distance) &&
+         std::all_of(floor.hull.begin(), floor.hull.end(), isFinite);
+}
+
+Eigen::Vector3d footOf(const FloorPlane& floor)
+{
+  return -floor.distance * normalOf(floor);
+}
+
+std::vector<Eigen::Vector3d> hullOf(const FloorPlane& floor)
+{
+  std::vector<Eigen::Vector3d> hull;
+  hull.reserve(floor.hull.size());
+  for (const geometry_msgs::Point32& p : floor.hull) hull.emplace_back(p.x, p.y, p.z);
+  return hull;
+}
+
+std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size)
+{
+  const Eigen::Vector3d normal = normalOf(floor);
+  const Eigen::Vector3d foot = footOf(floor);
+  Eigen::Vector3d middle = foot;
+  const std::vector<Eigen::Vector3d> hull = hullOf(floor);
+  if (!hull.empty()) {
+    middle.setZero();
+    for (const Eigen::Vector3d& corner : hull) middle += corner / static_cast<double>(hull.size());
+    middle -= (normal.dot(middle) + floor.distance) * normal;
+  }
+  // The camera looks from above its foot to what it sees of the floor.
+  Eigen::Vector3d forward = middle - foot;
+  forward = forward.norm() > 1e-6 ? forward.normalized() : normal.unitOrthogonal();
+  const Eigen::Vector3d left = normal.cross(forward);
+  const double half = size / 2.0;
+  return {middle + half * (forward + left), middle + half * (left - forward),
+          middle - half * (forward + left), middle + half * (forward - left)};
+}
+
+}  // namespace polygonal_perception

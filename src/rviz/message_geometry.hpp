@@ -1,0 +1,34 @@
+#pragma once
+
+#include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/ObstaclePolygon.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "polygonal_perception/polygon_set.hpp"
+
+/// What messages say, as geometry to draw. A display draws what any node publishes: nothing is taken on trust
+/// here.
+namespace polygonal_perception {
+
+/// @return nothing if a ring has fewer than 3 vertices or a coordinate is not finite
+std::optional<PolygonSet> toPolygonSet(const ObstaclePolygon& polygon);
+
+/// Whether the normal is a unit vector and the distance and the hull are finite.
+bool isDrawable(const FloorPlane& floor);
+
+/// The point of the plane under the frame's origin. @pre isDrawable
+Eigen::Vector3d footOf(const FloorPlane& floor);
+
+/// @pre isDrawable
+std::vector<Eigen::Vector3d> hullOf(const FloorPlane& floor);
+
+/// A square on the plane, around the middle of the hull or, without a hull, under the frame's origin; one
+/// pair of its sides runs as the camera looks. Counter-clockwise from above. @pre isDrawable
+///
+/// @param size  [m] length of a side
+std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size);
+
+}  // namespace polygonal_perception

@@ -1,0 +1,74 @@
+#include "message_status.hpp"
+
+#include "message_geometry.hpp"
+
+namespace polygonal_perception {
+
+namespace {
+
+using rviz::StatusProperty;
+
+StatusLine unknownStatus(unsigned int status)
+{
+  return {StatusProperty::Error, QString("%1 is no status of a floor").arg(status)};
+}
+
+/// "1 polygon", "2 polygons"
+QString counted(std::size_t count, const QString& noun)
+{
+  return QString("%1 %2%3").arg(count).arg(noun).arg(count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+StatusLine floorStatus(const PolygonArray& array)
+{
+  switch (array.floor_status) {
+    case FloorPlane::FOUND:
+      return {StatusProperty::Ok, "FOUND"};
+    case FloorPlane::HELD:
+      return {StatusProperty::Warn, "HELD: not found in this frame, an earlier floor still stands"};
+    case FloorPlane::NOT_FOUND:
+      return {StatusProperty::Warn, "NOT_FOUND: nothing is known of the obstacles"};
+    default:
+      return unknownStatus(array.floor_status);
+  }
+}
+
+StatusLine floorStatus(const FloorPlane& floor)
+{
+  if (floor.status == FloorPlane::NOT_FOUND) return {StatusProperty::Warn, "NOT_FOUND"};
+  if (floor.status != FloorPlane::FOUND && floor.status != FloorPlane::HELD)
+    return unknownStatus(floor.status);
+  if (!isDrawable(floor)) {
+    return {StatusProperty::Error, "The normal is not a unit vector, or a value is not finite"};
+  }
+  const QString height = QString("height %1 m").arg(floor.distance, 0, 'f', 3);
+  if (floor.status == FloorPlane::HELD) {
+    return {StatusProperty::Warn, QString("HELD for %1 s, %2").arg(floor.age, 0, 'f', 2).arg(height)};
+  }
+  return {StatusProperty::Ok, QString("FOUND, %1, %2, rms error %3 mm")
+                                  .arg(height, counted(floor.sample_count, "sample"))
+                                  .arg(1000.0 * floor.rms_error, 0, 'f', 1)};
+}
+
+StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed)
+{
+  if (malformed > 0) {
+    return {StatusProperty::Error,
+            QString("%1 left out: a ring has fewer than 3 vertices or a coordinate is not finite")
+                .arg(counted(malformed, "polygon"))};
+  }
+  std::size_t holes = 0;
+  std::size_t vertices = 0;
+  for (const ObstaclePolygon& polygon : array.polygons) {
+    holes += polygon.holes.size();
+    vertices += polygon.boundary.points.size();
+    for (const geometry_msgs::Polygon& hole : polygon.holes) vertices += hole.points.size();
+  }
+  return {StatusProperty::Ok, QString("%1, %2, %3")
+                                  .arg(counted(array.polygons.size(), "polygon"), counted(holes, "hole"),
+                                       vertices == 1 ? "1 vertex" : QString("%1 vertices").arg(vertices))};
+}
+
+}  // namespace polygonal_perception

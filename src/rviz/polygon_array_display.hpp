@@ -1,0 +1,57 @@
+#pragma once
+
+#include <polygonal_perception/PolygonArray.h>
+#include <rviz/message_filter_display.h>
+
+#include <memory>
+#include <vector>
+
+#include "polygon_colors.hpp"
+#include "polygon_shape.hpp"
+
+namespace rviz {
+class BoolProperty;
+class ColorProperty;
+class EnumProperty;
+class FloatProperty;
+}  // namespace rviz
+
+namespace polygonal_perception {
+
+/// Shows a polygonal_perception/PolygonArray: each polygon filled, holes left open, with its outline.
+class PolygonArrayDisplay : public rviz::MessageFilterDisplay<PolygonArray>
+{
+  Q_OBJECT
+public:
+  PolygonArrayDisplay();
+  ~PolygonArrayDisplay() override;
+
+  void reset() override;
+
+protected:
+  void onInitialize() override;
+
+private Q_SLOTS:
+  /// Draws the last message as the properties are now.
+  void redraw();
+
+private:
+  void processMessage(const PolygonArray::ConstPtr& message) override;
+  void paint(std::vector<PolygonShape::Polygon>& polygons);
+
+  // rviz owns the properties: they are children of the display.
+  rviz::EnumProperty* color_by_;
+  rviz::ColorProperty* color_;
+  rviz::BoolProperty* fill_;
+  rviz::FloatProperty* alpha_;
+  rviz::BoolProperty* outline_;
+  rviz::FloatProperty* line_width_;
+  rviz::FloatProperty* height_;
+  rviz::FloatProperty* offset_;
+
+  PolygonArray::ConstPtr message_;  ///< the last; null before the first
+  PolygonColors colors_;
+  std::unique_ptr<PolygonShape> shape_;
+};
+
+}  // namespace polygonal_perception
