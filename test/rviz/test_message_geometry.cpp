@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "message_geometry.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+geometry_msgs::Polygon ring(const std::vector<Eigen::Vector2f>& corners)
+{
+  geometry_msgs::Polygon ring;
+  for (const Eigen::Vector2f& corner : corners) {
+    geometry_msgs::Point32& point = ring.points.emplace_back();
+    point.x = corner.x();
+    point.y = corner.y();
+  }
+  return ring;
+}
+
+/// In an optical frame, 1.5 m above the floor.
+FloorPlane levelFloor()
+{
+  FloorPlane floor;
+  floor.status = FloorPlane::FOUND;
+  floor.normal.y = -1.0;
+  floor.distance = 1.5;
+  for (const Eigen::Vector2f& corner :
+       {Eigen::Vector2f(1, 1), Eigen::Vector2f(1, 3), Eigen::Vector2f(-1, 3), Eigen::Vector2f(-1, 1)}) {
+    geometry_msgs::Point32& point = floor.hull.emplace_back();
+    point.x = corner.x();
+    point.y = 1.5F;
+    point.z = corner.y();
+  }
+  return floor;
+}
+
+TEST(MessageGeometry, ABoundaryIsFollowedByItsHoles)
+{
+  ObstaclePolygon polygon;
+  polygon.boundary = ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  polygon.holes = {ring({{1, 1}, {1, 3}, {3, 3}})};
+  const std::optional<PolygonSet> polygons = toPolygonSet(polygon);
+  ASSERT_TRUE(polygons);
+  ASSERT_EQ(polygons->rings.size(), 2U);
+  EXPECT_FALSE(polygons->rings[0].hole);
+  EXPECT_TRUE(polygons->rings[1].hole);
+  EXPECT_EQ(polygons->rings[1].first, 4U);
+  EXPECT_EQ(polygons->rings[1].size, 3U);
+  EXPECT_EQ(polygons->vertices[6], Eigen::Vector2d(3, 3));
+}
+
+TEST(MessageGeometry, RingsThatCannotBeDrawnAreRefused)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  ObstaclePolygon polygon;
+  EXPECT_FALSE(toPolygonSet(polygon)) << "no vertex";
+  polygon.boundary = ring({{0, 0}, {4, 0}});
+  EXPECT_FALSE(toPolygonSet(polygon)) << "two vertices";
+  polygon.boundary = ring({{0, 0}, {4, 0}, {4, nan}});
+  EXPECT_FALSE(toPolygonSet(polygon)) << "not finite";
+  polygon.boundary = ring({{0, 0}, {4, 0}, {4, 4}});
+  EXPECT_TRUE(toPolygonSet(polygon));
+  polygon.holes = {ring({{1, 1}})};
+  EXPECT_FALSE(toPolygonSet(polygon)) << "a hole of one vertex";
+}
+
+TEST(MessageGeometry, AFloorNeedsAUnitNormalAndFiniteNumbers)
+{
+  EXPECT_TRUE(isDrawable(levelFloor()));
+  FloorPlane floor = levelFloor();
+  floor.normal.y = -2.0;
+  EXPECT_FALSE(isDrawable(floor));
+  floor.normal.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(isDrawable(floor));
+  floor = levelFloor();
+  floor.distance = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(isDrawable(floor));
+  floor = levelFloor();
+  floor.hull.back().z = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(isDrawable(floor));
+}
+
+TEST(MessageGeometry, TheFootIsUnderTheOrigin)
+{
+  EXPECT_EQ(footOf(levelFloor()), Eigen::Vector3d(0.0, 1.5, 0.0));
+}
+
+TEST(MessageGeometry, APatchIsASquareAroundTheHull)
+{
+  const std::vector<Eigen::Vector3d> patch = patchOf(levelFloor(), 4.0);
+  ASSERT_EQ(patch.size(), 4U);
+  const Eigen::Vector3d middle = (patch[0] + patch[1] + patch[2] + patch[3]) / 4.0;
+  EXPECT_TRUE(middle.isApprox(Eigen::Vector3d(0.0, 1.5, 2.0), 1e-6)) << middle.transpose();
+  const Eigen::Vector3d up(0.0, -1.0, 0.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d side = patch[(i + 1) % 4] - patch[i];
+    const Eigen::Vector3d next = patch[(i + 2) % 4] - patch[(i + 1) % 4];
+    EXPECT_NEAR(side.norm(), 4.0, 1e-6);
+    EXPECT_NEAR(patch[i].y(), 1.5, 1e-6);
+    EXPECT_NEAR(up.dot(side.cross(next)), 16.0, 1e-5) << "counter-clockwise from above";
+  }
+}
+
+TEST(MessageGeometry, APatchWithoutAHullLiesUnderTheOrigin)
+{
+  FloorPlane floor = levelFloor();
+  floor.hull.clear();
+  const std::vector<Eigen::Vector3d> patch = patchOf(floor, 1.0);
+  ASSERT_EQ(patch.size(), 4U);
+  EXPECT_TRUE(((patch[0] + patch[2]) / 2.0).isApprox(footOf(floor), 1e-9));
+}
+
+}  // namespace
+}  // namespace polygonal_perception
