@@ -42,7 +42,7 @@ class TransformsTest(unittest.TestCase):
         self.clock.tick(100.0)
         self.client.reset()
 
-    def send_pose(self, stamp, x, y, yaw, child=scene.OPTICAL_FRAME):
+    def pose(self, stamp, x, y, yaw, child=scene.OPTICAL_FRAME):
         """The camera at x, y, yaw in odom, 0.8 m up, as it is held."""
         turn = np.array([[math.cos(yaw), -math.sin(yaw), 0], [math.sin(yaw), math.cos(yaw), 0], [0, 0, 1]])
         message = TransformStamped(child_frame_id=child)
@@ -50,14 +50,16 @@ class TransformsTest(unittest.TestCase):
         t, r = message.transform.translation, message.transform.rotation
         t.x, t.y, t.z = x, y, self.camera.height
         r.x, r.y, r.z, r.w = quaternion_of(turn @ self.camera.rotation)
-        self.tf.publish(TFMessage([message]))
+        return message
+
+    def send_pose(self, *args):
+        self.tf.publish(TFMessage([self.pose(*args)]))
 
     def cloud(self, stamp):
         return self.camera.cloud(self.camera.render(self.boxes), stamp)
 
     def check_placed(self, answer, x, y, yaw):
         self.assertEqual(answer['floor'].status, FOUND)
-        self.assertEqual(answer['floor'].header.frame_id, scene.OPTICAL_FRAME)
         for name in ('occupancy_grid', 'inflated_grid', 'polygons', 'obstacle_points'):
             self.assertEqual(answer[name].header.frame_id, 'odom')
         c, s = math.cos(yaw), math.sin(yaw)
@@ -91,6 +93,14 @@ class TransformsTest(unittest.TestCase):
             self.send_pose(after, x + 0.1, y, yaw + 0.1)
             self.client.send(self.cloud(stamp))
             self.check_placed(self.client.answer(stamp), x, y, yaw)
+
+    def test_a_camera_that_stands_still(self):
+        message = self.pose(rospy.Time(1), 5.0, 6.0, 1.0, child='static_camera')
+        static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
+        static.publish(TFMessage([message]))
+        answer = self.client.ask(self.camera.cloud(self.camera.render(self.boxes), self.clock.tick(), 'static_camera'))
+        self.assertEqual(answer['floor'].header.frame_id, 'static_camera')
+        self.check_placed(answer, 5.0, 6.0, 1.0)
 
     def test_a_frame_waits_for_a_late_transform(self):
         self.send_pose(self.clock.tick(), 0, 0, 0)
