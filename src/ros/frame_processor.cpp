@@ -47,54 +47,53 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     reject("input", error);
     return true;
   }
+  const Transforms transforms = lookUp(header);
+  if (may_wait && !transforms.missing().empty()) return false;
 
-  Frame input;
-  input.points = *points;
-  input.stamp = header.stamp.toSec();
-  std::string missing;
-  if (!parameters_.up_frame.empty() && pipeline_.tracker().needsSeed(input.stamp)) {
-    const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
-    if (!up_to_input && may_wait) return false;
-    if (up_to_input) {
-      input.up_from_tf = up_to_input->linear().col(2);
-    } else {
-      missing = up_to_input.error();
-    }
-  }
-  const bool up_is_missing = !missing.empty();
-  std::optional<Eigen::Isometry3d> input_to_output;
-  if (!parameters_.output_frame.empty()) {
-    const auto transform = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
-    if (!transform && may_wait) return false;
-    if (transform) {
-      input_to_output = *transform;
-    } else {
-      missing = transform.error();
-    }
-  }
-
-  Answer answer{header, *points, {}, {}, {}};
-  const bool has_place = parameters_.output_frame.empty() || input_to_output;
-  if (up_is_missing) {
-    // Without the seed that was asked for there is no floor: initial_up may be far off.
-    pipeline_.reset();
-  } else {
-    answer.goal = has_place ? outputs_.goal() : Pipeline::Goal::kFloor;
-    answer.floor = pipeline_.process(input, *answer.goal).floor;
-  }
-  if (has_place) answer.place = placeOf(answer.floor, input_to_output);
+  const Answer answer = makeAnswer(header, *points, transforms);
   floor_ = answer.floor;
-
   const auto start = FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
   broadcast(answer);
   outputs_.publish(answer, pipeline_);
-  if (missing.empty()) {
+  if (transforms.missing().empty()) {
     statistics_.answered(pipeline_.result().times, FrameStatistics::Clock::now() - start);
   } else {
-    reject("tf", missing);
+    reject("tf", transforms.missing());
   }
   return true;
+}
+
+FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header) const
+{
+  Transforms transforms;
+  if (!parameters_.up_frame.empty() && pipeline_.tracker().needsSeed(header.stamp.toSec())) {
+    const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
+    if (up_to_input) transforms.up = up_to_input->linear().col(2);
+    transforms.missing_up = up_to_input.error();
+  }
+  if (!parameters_.output_frame.empty()) {
+    const auto input_to_output = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
+    if (input_to_output) transforms.input_to_output = *input_to_output;
+    transforms.missing_output = input_to_output.error();
+  }
+  return transforms;
+}
+
+Answer FrameProcessor::makeAnswer(const std_msgs::Header& header, const PointView& points,
+                                  const Transforms& transforms)
+{
+  Answer answer{header, points, {}, {}, {}};
+  const bool has_place = transforms.missing_output.empty();
+  if (transforms.missing_up.empty()) {
+    answer.goal = has_place ? outputs_.goal() : Pipeline::Goal::kFloor;
+    answer.floor = pipeline_.process({points, header.stamp.toSec(), transforms.up}, *answer.goal).floor;
+  } else {
+    // Without the seed that was asked for there is no floor: initial_up may be far off.
+    pipeline_.reset();
+  }
+  if (has_place) answer.place = placeOf(answer.floor, transforms.input_to_output);
+  return answer;
 }
 
 std::string FrameProcessor::frameError(const std::string& frame_id) const

@@ -59,7 +59,20 @@ public:
   CameraAttitude attitude() const;
 
 private:
+  /// What tf says of a frame, as far as the parameters ask it.
+  struct Transforms
+  {
+    std::optional<Eigen::Vector3d> up;  // in the input's frame
+    std::optional<Eigen::Isometry3d> input_to_output;
+    std::string missing_up;  // why it is not there though it is needed, or empty
+    std::string missing_output;
+
+    const std::string& missing() const { return missing_output.empty() ? missing_up : missing_output; }
+  };
+
   bool processUnguarded(const InputFrame& frame, bool may_wait);
+  Transforms lookUp(const std_msgs::Header& header) const;
+  Answer makeAnswer(const std_msgs::Header& header, const PointView& points, const Transforms& transforms);
   std::string frameError(const std::string& frame_id) const;
   void broadcast(const Answer& answer);
   OutputPlace placeOf(const FloorState& floor, const std::optional<Eigen::Isometry3d>& input_to_output) const;
