@@ -1,0 +1,73 @@
+#include "device_list.hpp"
+
+#include <OpenNI.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "usb_cameras.hpp"
+
+namespace polygonal_perception {
+namespace openni2 {
+namespace {
+
+std::vector<std::string> connectedDevices()
+{
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  std::vector<std::string> uris;
+  for (int i = 0; i < devices.getSize(); ++i) uris.emplace_back(devices[i].getUri());
+  return uris;
+}
+
+/// The bus in a URI such as 1d27/0601@3/18.
+std::string busOf(const std::string& uri)
+{
+  const auto at = uri.find('@');
+  const auto slash = uri.find('/', at == std::string::npos ? uri.size() : at);
+  return slash == std::string::npos ? std::string() : uri.substr(at + 1, slash - at - 1);
+}
+
+std::string nth(const std::vector<std::string>& uris, const std::string& number)
+{
+  char* end = nullptr;
+  const unsigned long n = std::strtoul(number.c_str(), &end, 10);
+  return *end == '\0' && n >= 1 && n <= uris.size() ? uris[n - 1] : std::string();
+}
+
+std::string matching(const std::string& device_id, const std::vector<std::string>& uris)
+{
+  if (device_id.empty()) return nth(uris, "1");
+  if (device_id[0] == '#') return nth(uris, device_id.substr(1));
+  for (const std::string& uri : uris) {
+    if (uri == device_id) return uri;
+  }
+  const auto at = device_id.find('@');
+  if (at == std::string::npos || device_id.find('/') != std::string::npos) return {};
+  std::vector<std::string> on_bus;
+  for (const std::string& uri : uris) {
+    if (busOf(uri) == device_id.substr(0, at)) on_bus.push_back(uri);
+  }
+  return nth(on_bus, device_id.substr(at + 1));
+}
+
+}  // namespace
+
+DeviceChoice chooseDevice(const std::string& device_id)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(device_id, ignored)) return {device_id, {}};
+  const std::vector<std::string> uris = connectedDevices();
+  const std::string uri = matching(device_id, uris);
+  if (!uri.empty()) return {uri, {}};
+  std::string error = "there is no OpenNI2 device '" + device_id + "'; ";
+  if (uris.empty()) return {{}, error + "OpenNI2 sees none at all: " + describeUsbCameras()};
+  error += "OpenNI2 sees";
+  for (const std::string& seen : uris) error += " " + seen;
+  return {{}, error};
+}
+
+}  // namespace openni2
+}  // namespace polygonal_perception

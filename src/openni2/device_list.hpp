@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace polygonal_perception {
+namespace openni2 {
+
+/// The URI for a device's name as SourceOptions has it, or why there is none.
+struct DeviceChoice
+{
+  std::string uri;    ///< empty: none
+  std::string error;  ///< with the devices that were seen
+};
+
+DeviceChoice chooseDevice(const std::string& device_id);
+
+}  // namespace openni2
+}  // namespace polygonal_perception
