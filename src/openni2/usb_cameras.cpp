@@ -40,8 +40,8 @@ std::string describeUsbCameras(const std::string& sys, const std::string& dev)
     for (const char* known : kVendors) {
       if (vendor != known) continue;
       const std::string node = nodeOf(entry.path(), dev);
-      const std::string name =
-          "USB device " + vendor + ":" + attribute(entry.path(), "idProduct") + " at " + node;
+      std::string name = "USB device " + vendor + ":";
+      name.append(attribute(entry.path(), "idProduct")).append(" at ").append(node);
       if (access(node.c_str(), R_OK | W_OK) != 0) {
         return name +
                " may not be opened by this user: install the udev rules of libopenni2-0, or a rule of one's "
