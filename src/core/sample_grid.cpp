@@ -56,7 +56,7 @@ void SampleGrid::update(const PointView& points)
 {
   samples_x_ = std::min(parameters_.samples_x, static_cast<int>(points.width()));
   samples_y_ = std::min(parameters_.samples_y, static_cast<int>(points.height()));
-  samples_.resize(static_cast<std::size_t>(samples_x_ * samples_y_));
+  samples_.resize(static_cast<std::size_t>(samples_x_) * static_cast<std::size_t>(samples_y_));
   takePoints(points);
   computeNormals();
 }
@@ -76,7 +76,8 @@ void SampleGrid::takePoints(const PointView& points)
   for (int j = 0; j < samples_y_; ++j) {
     const int v = pixelOf(j, samples_y_, height);
     for (int i = 0; i < samples_x_; ++i) {
-      Sample& sample = samples_[static_cast<std::size_t>(j * samples_x_ + i)];
+      Sample& sample = samples_[static_cast<std::size_t>(j) * static_cast<std::size_t>(samples_x_) +
+                                static_cast<std::size_t>(i)];
       const int u = pixelOf(i, samples_x_, width);
       const auto take = [&](int at_u, int at_v) {
         if (at_u < 0 || at_u >= width || at_v < 0 || at_v >= height) return false;
