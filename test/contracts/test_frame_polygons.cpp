@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include "polygon_checker.hpp"
+#include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "recorded_frames.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+/// The defaults, in cells: robot_radius 0.30 m, simplification_tolerance 0.05 m, 0.05 m a cell.
+constexpr CellLength kRadius{6, 1};
+constexpr CellLength kLimit{17, 2};
+
+/// @return whether there was a floor
+bool check(Pipeline& pipeline, const PointView& view, double stamp, const std::string& name)
+{
+  const Pipeline::Result& result = pipeline.process({view, stamp, {}});
+  const auto fault = PolygonChecker(result.occupancy, result.polygons, kRadius, kLimit).fault();
+  EXPECT_FALSE(fault) << name << ": " << *fault;
+  return result.floor.status != FloorStatus::kNotFound;
+}
+
+TEST(FramePolygons, OfRecordedFramesKeepTheContract)
+{
+  const auto path = findRecordedFrames();
+  if (!path)
+    GTEST_SKIP() << "no recorded frames: set POLYGONAL_PERCEPTION_DATA to a folder with a frames.json";
+  Pipeline pipeline{Pipeline::Parameters{}};
+  double stamp = 0.0;
+  int with_floor = 0;
+  for (const RecordedFrame& frame : listRecordedFrames(*path)) {
+    const LoadedFrame loaded = load(frame);
+    with_floor += check(pipeline, loaded.view(), stamp += 1.0 / 30.0, frame.name) ? 1 : 0;
+  }
+  EXPECT_GT(with_floor, 70);
+}
+
+TEST(FramePolygons, OfRenderedFramesKeepTheContract)
+{
+  int with_floor = 0;
+  for (const std::string& scene : simulation::sceneNames()) {
+    simulation::SimulatedCamera::Options options;
+    options.scene = scene;
+    options.trajectory = "robotino";
+    options.seed = 102;
+    simulation::SimulatedCamera camera(options);
+    const auto& pinhole = options.camera;
+    const PinholeRays rays =
+        PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    Pipeline pipeline{Pipeline::Parameters{}};
+    simulation::SimulatedFrame frame;
+    for (std::uint32_t k = 0; k < 60; k += 15) {
+      camera.render(k, frame);
+      const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+      with_floor += check(pipeline, view, frame.time, scene + ", frame " + std::to_string(k)) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(with_floor, 20);
+}
+
+}  // namespace
+}  // namespace polygonal_perception
