@@ -35,7 +35,11 @@ std::string at(std::int64_t x, std::int64_t y)
 
 PolygonChecker::PolygonChecker(const BinaryGrid& occupancy, const PolygonSet& polygons, CellLength radius,
                                CellLength limit)
-    : radius_(radius), limit_(limit), width_(kCell * occupancy.cellsX()), height_(kCell * occupancy.cellsY())
+    : grid_(occupancy),
+      radius_(radius),
+      limit_(limit),
+      width_(kCell * occupancy.cellsX()),
+      height_(kCell * occupancy.cellsY())
 {
   const GridGeometry& geometry = occupancy.geometry();
   for (const PolygonSet::Ring& ring : polygons.rings) {
@@ -146,12 +150,36 @@ bool PolygonChecker::nearerThan(const Edge& edge, Point corner, CellLength lengt
   });
 }
 
+template <class Predicate>
+bool PolygonChecker::anyNear(Point p, Predicate&& holds) const
+{
+  const std::int64_t reach = limit_.numerator / limit_.denominator + 2;
+  const std::int64_t i = p.x / kCell;
+  const std::int64_t j = p.y / kCell;
+  for (auto y = std::max<std::int64_t>(0, j - reach);
+       y <= std::min<std::int64_t>(grid_.cellsY() - 1, j + reach); ++y) {
+    for (auto x = std::max<std::int64_t>(0, i - reach);
+         x <= std::min<std::int64_t>(grid_.cellsX() - 1, i + reach); ++x) {
+      if (grid_.occupied(static_cast<int>(x), static_cast<int>(y)) && holds(Point{kCell * x, kCell * y}))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool PolygonChecker::crossed(Point corner, std::int64_t side) const
+{
+  return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return std::max(edge.a.x, edge.b.x) >= corner.x && std::min(edge.a.x, edge.b.x) <= corner.x + side &&
+           std::max(edge.a.y, edge.b.y) >= corner.y && std::min(edge.a.y, edge.b.y) <= corner.y + side;
+  });
+}
+
 bool PolygonChecker::reachable(Point a, Point b, int depth) const
 {
   // The distance to a square is convex: within the limit at both ends, it is so in between.
-  for (const Point& corner : occupied_) {
-    if (within(a, corner, limit_) && within(b, corner, limit_)) return true;
-  }
+  if (anyNear(a, [&](Point corner) { return within(a, corner, limit_) && within(b, corner, limit_); }))
+    return true;
   if (depth == 0) return false;
   const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   // Rounding the middle moves it off the edge, by less than a unit: it is checked against both neighbours.
@@ -160,9 +188,10 @@ bool PolygonChecker::reachable(Point a, Point b, int depth) const
 
 bool PolygonChecker::reachable(Point corner, std::int64_t side) const
 {
+  if (!crossed(corner, side) && !insidePolygons(corner)) return true;
   const Point corners[] = {
       corner, {corner.x + side, corner.y}, {corner.x + side, corner.y + side}, {corner.x, corner.y + side}};
-  const bool by_one = std::any_of(occupied_.begin(), occupied_.end(), [&](const Point& occupied) {
+  const bool by_one = anyNear(corner, [&](Point occupied) {
     return std::all_of(std::begin(corners), std::end(corners),
                        [&](const Point& c) { return within(c, occupied, limit_); });
   });
@@ -177,11 +206,6 @@ bool PolygonChecker::reachable(Point corner, std::int64_t side) const
   }
   for (const Point& quarter : {corner, Point{corner.x + half, corner.y}, Point{corner.x, corner.y + half},
                                Point{corner.x + half, corner.y + half}}) {
-    const bool crossed = std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-      return std::max(edge.a.x, edge.b.x) >= quarter.x && std::min(edge.a.x, edge.b.x) <= quarter.x + half &&
-             std::max(edge.a.y, edge.b.y) >= quarter.y && std::min(edge.a.y, edge.b.y) <= quarter.y + half;
-    });
-    if (!crossed && !insidePolygons(quarter)) continue;
     if (!reachable(quarter, half)) return false;
   }
   return true;

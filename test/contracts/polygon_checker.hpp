@@ -60,6 +60,9 @@ private:
   bool onBorder(const Edge& edge) const;
   bool nearerThan(const Edge& edge, Point corner, CellLength length) const;
   bool within(Point p, Point corner, CellLength length) const;
+  template <class Predicate>
+  bool anyNear(Point p, Predicate&& holds) const;
+  bool crossed(Point corner, std::int64_t side) const;
   bool reachable(Point a, Point b, int depth) const;
   bool reachable(Point corner, std::int64_t side) const;
 
@@ -69,6 +72,7 @@ private:
   std::optional<std::string> unsafe() const;
   std::optional<std::string> loose() const;
 
+  BinaryGrid grid_;
   CellLength radius_, limit_;
   std::int64_t width_, height_;  // of the grid, in 64ths of a cell
   std::vector<Ring> rings_;

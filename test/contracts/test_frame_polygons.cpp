@@ -31,7 +31,8 @@ TEST(FramePolygons, OfRecordedFramesKeepTheContract)
   int with_floor = 0;
   for (const RecordedFrame& frame : listRecordedFrames(*path)) {
     const LoadedFrame loaded = load(frame);
-    with_floor += check(pipeline, loaded.view(), stamp += 1.0 / 30.0, frame.name) ? 1 : 0;
+    stamp += 1.0 / 30.0;
+    with_floor += check(pipeline, loaded.view(), stamp, frame.name) ? 1 : 0;
   }
   EXPECT_GT(with_floor, 70);
 }
