@@ -128,7 +128,7 @@ void PolygonArrayDisplay::paint(std::vector<PolygonShape::Polygon>& polygons)
     std::vector<Eigen::Vector2d> centers;
     centers.reserve(polygons.size());
     for (const PolygonShape::Polygon& polygon : polygons) centers.push_back(centerOf(polygon.rings));
-    const std::vector<float>& hues = colors_.assign(centers);
+    const std::vector<float> hues = colors_.assign(centers);
     for (std::size_t i = 0; i < polygons.size(); ++i) polygons[i].color.setHSB(hues[i], 0.8F, 0.95F);
   }
   if (message_->floor_status == FloorPlane::FOUND) return;

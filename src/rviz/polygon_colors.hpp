@@ -11,13 +11,15 @@ class PolygonColors
 {
 public:
   /// @param centers  [m] of the polygons of a message
-  /// @return a hue from 0 to 1 for each, valid until the next call
-  const std::vector<float>& assign(const std::vector<Eigen::Vector2d>& centers);
+  /// @return a hue from 0 to 1 for each
+  std::vector<float> assign(const std::vector<Eigen::Vector2d>& centers);
 
 private:
+  /// The number of the nearest polygon of the last message, which then is taken.
+  unsigned int takeNearest(const Eigen::Vector2d& center);
+
   std::vector<Eigen::Vector2d> centers_;  ///< of the last message
-  std::vector<float> hues_;
-  unsigned int count_ = 0;  ///< of hues that were given
+  std::vector<unsigned int> numbers_;     ///< of their hues
 };
 
 }  // namespace polygonal_perception

@@ -76,15 +76,15 @@ class DisplaysTest(unittest.TestCase):
         return pose
 
     def show(self, publisher, message, condition, what):
-        """Publishes a message until the screen looks as it shall, and returns the pixels."""
+        """Publishes a message, waits until the screen looks as it shall, and returns the pixels."""
         screens = [self.rviz.pixels()]
 
         def looks_so():
-            message.header.stamp = rospy.Time.now()
-            publisher.publish(message)
             screens.append(self.rviz.pixels())
             # Twice the same: a screen that is being drawn is half the old one.
             return condition(screens[-1]) and np.array_equal(*screens[-2:])
+        message.header.stamp = rospy.Time.now()
+        publisher.publish(message)
         try:
             self.rviz.wait_for(looks_so, what, DEADLINE)
             return screens[-1]

@@ -37,5 +37,14 @@ TEST(PolygonColors, TwoPolygonsDoNotShareTheHueOfOneBefore)
   EXPECT_NE(hues[0], hues[1]);
 }
 
+TEST(PolygonColors, TheHueOfAPolygonThatIsGoneIsGivenAgain)
+{
+  PolygonColors colors;
+  const std::vector<float> first = colors.assign({{0, 0}, {1, 0}});
+  const std::vector<float> second = colors.assign({{1, 0}, {9, 9}});
+  EXPECT_EQ(second[0], first[1]);
+  EXPECT_EQ(second[1], first[0]);
+}
+
 }  // namespace
 }  // namespace polygonal_perception
