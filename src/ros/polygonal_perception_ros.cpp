@@ -1,6 +1,7 @@
 #include "polygonal_perception/ros/polygonal_perception_ros.hpp"
 
 #include <ros/console.h>
+#include <ros/names.h>
 
 #include <vector>
 
@@ -98,7 +99,10 @@ void PolygonalPerceptionRos::subscribe()
   statistics_.interrupt();
   const auto subscribe = [this](auto message, const char* topic, auto action) {
     using Message = decltype(message);
-    return handle_.subscribe<Message>(topic, topics::kInputQueueSize, gated(gate_, action), nullptr,
+    // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names
+    // fall into the manager's namespace, past the nodelet's remappings.
+    const std::string name = ros::names::append(ros::names::parentNamespace(name_), topic);
+    return handle_.subscribe<Message>(name, topics::kInputQueueSize, gated(gate_, action), nullptr,
                                       ros::TransportHints().tcpNoDelay());
   };
   if (parameters_.input == "depth") {
