@@ -38,7 +38,8 @@ public:
                             std::numeric_limits<float>::infinity(),
                             -std::numeric_limits<float>::infinity(),
                             std::numeric_limits<float>::quiet_NaN()};
-    if (rarely()) return values[std::uniform_int_distribution<std::size_t>(0, std::size(values) - 1)(random_)];
+    if (rarely())
+      return values[std::uniform_int_distribution<std::size_t>(0, std::size(values) - 1)(random_)];
     return std::uniform_real_distribution<float>(0.3F, 4.0F)(random_);
   }
 

@@ -72,11 +72,11 @@ class LaunchTest(unittest.TestCase):
             with Launched('replay.launch', bag=path, rviz='false', rate='3'):
                 client = NodeClient(outputs=())
                 client.read('floor')
-                for _ in range(2):
-                    # The last frame, and then an early one after it.
-                    self.assertEqual(client.answer(stamps[-1])['floor'].status, FOUND)
-                    client.answers.clear()
+                for _ in range(3):
+                    # The same frame once more. It is one of the middle: rosbag closes and opens its topics at each
+                    # turn, and what it plays just before or after that may not arrive.
                     self.assertEqual(client.answer(stamps[8])['floor'].status, FOUND)
+                    client.answers.clear()
                 client.wait_for_log('time has jumped back')
 
     @unittest.skipUnless(rospy.get_param('/has_simulation', False), 'built without Embree')
