@@ -3,6 +3,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "polygonal_perception/parameter_check.hpp"
 #include "polygonal_perception/ros/node_parameters.hpp"
@@ -146,6 +150,19 @@ TEST(ParameterTable, HasARowAParameter)
   EXPECT_NE(table.find("| `initial_up` | list | [0, -1, 0] | not zero |"), std::string::npos) << table;
   EXPECT_NE(table.find("| `output_frame` | string | (empty) | a frame or empty |"), std::string::npos)
       << table;
+}
+
+TEST(ParameterTable, IsTheOneInTheReadme)
+{
+  std::ifstream file(README);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string begin = "<!-- parameters: begin -->\n";
+  const std::size_t from = text.find(begin);
+  const std::size_t to = text.find("<!-- parameters: end -->");
+  ASSERT_NE(from, std::string::npos) << README;
+  ASSERT_NE(to, std::string::npos) << README;
+  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), parameterTable())
+      << "put there what polygonal_perception_parameters prints";
 }
 
 }  // namespace
