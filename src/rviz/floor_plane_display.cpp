@@ -9,7 +9,6 @@
 
 #include "message_geometry.hpp"
 #include "message_status.hpp"
-#include "placement.hpp"
 
 namespace polygonal_perception {
 
@@ -61,20 +60,19 @@ FloorPlaneDisplay::~FloorPlaneDisplay() = default;
 
 void FloorPlaneDisplay::onInitialize()
 {
-  MFDClass::onInitialize();
+  NewestMessageDisplay::onInitialize();
   shape_ = std::make_unique<FloorShape>(*scene_manager_, *scene_node_);
 }
 
 void FloorPlaneDisplay::reset()
 {
-  MFDClass::reset();
+  NewestMessageDisplay::reset();
   message_.reset();
   shape_->clear();
 }
 
-void FloorPlaneDisplay::processMessage(const FloorPlane::ConstPtr& message)
+void FloorPlaneDisplay::show(const FloorPlane::ConstPtr& message)
 {
-  if (!placeInFrame(message->header, *context_, *this)) return;
   message_ = message;
   const StatusLine status = floorStatus(*message);
   setStatus(status.level, "Floor", status.text);

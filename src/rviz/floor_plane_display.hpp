@@ -1,12 +1,12 @@
 #pragma once
 
 #include <polygonal_perception/FloorPlane.h>
-#include <rviz/message_filter_display.h>
 
 #include <memory>
 #include <string>
 
 #include "floor_shape.hpp"
+#include "newest_message_display.hpp"
 
 namespace rviz {
 class BoolProperty;
@@ -19,7 +19,7 @@ namespace polygonal_perception {
 
 /// Shows a polygonal_perception/FloorPlane: the hull of its samples or a patch of the plane, the normal under
 /// the camera and the camera's height.
-class FloorPlaneDisplay : public rviz::MessageFilterDisplay<FloorPlane>
+class FloorPlaneDisplay : public NewestMessageDisplay<FloorPlane>
 {
   Q_OBJECT
 public:
@@ -36,7 +36,7 @@ private Q_SLOTS:
   void redraw();
 
 private:
-  void processMessage(const FloorPlane::ConstPtr& message) override;
+  void show(const FloorPlane::ConstPtr& message) override;
   std::string text() const;
 
   // rviz owns the properties: they are children of the display.

@@ -2,17 +2,18 @@
 
 #include <std_msgs/Header.h>
 
+namespace Ogre {
+class SceneNode;
+}
 namespace rviz {
-class Display;
-class DisplayContext;
-}  // namespace rviz
+class FrameManager;
+}
 
 namespace polygonal_perception {
 
-/// Puts a display's scene node where a message's frame is, seen from rviz's fixed frame at the message's
-/// stamp, and tells in the display's status if nobody knows.
+/// Puts a scene node where a message's frame is, seen from rviz's fixed frame at the message's stamp.
 ///
-/// @return whether it is known; if not, nothing has moved
-bool placeInFrame(const std_msgs::Header& header, rviz::DisplayContext& context, rviz::Display& display);
+/// @return whether that is known; if not, nothing has moved
+bool placeInFrame(const std_msgs::Header& header, rviz::FrameManager& frames, Ogre::SceneNode& node);
 
 }  // namespace polygonal_perception

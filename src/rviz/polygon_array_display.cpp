@@ -12,7 +12,6 @@
 
 #include "message_geometry.hpp"
 #include "message_status.hpp"
-#include "placement.hpp"
 
 namespace polygonal_perception {
 
@@ -79,20 +78,19 @@ PolygonArrayDisplay::~PolygonArrayDisplay() = default;
 
 void PolygonArrayDisplay::onInitialize()
 {
-  MFDClass::onInitialize();
+  NewestMessageDisplay::onInitialize();
   shape_ = std::make_unique<PolygonShape>(*scene_manager_, *scene_node_);
 }
 
 void PolygonArrayDisplay::reset()
 {
-  MFDClass::reset();
+  NewestMessageDisplay::reset();
   message_.reset();
   shape_->clear();
 }
 
-void PolygonArrayDisplay::processMessage(const PolygonArray::ConstPtr& message)
+void PolygonArrayDisplay::show(const PolygonArray::ConstPtr& message)
 {
-  if (!placeInFrame(message->header, *context_, *this)) return;
   message_ = message;
   const StatusLine floor = floorStatus(*message);
   setStatus(floor.level, "Floor", floor.text);

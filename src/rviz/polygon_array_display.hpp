@@ -1,11 +1,11 @@
 #pragma once
 
 #include <polygonal_perception/PolygonArray.h>
-#include <rviz/message_filter_display.h>
 
 #include <memory>
 #include <vector>
 
+#include "newest_message_display.hpp"
 #include "polygon_colors.hpp"
 #include "polygon_shape.hpp"
 
@@ -19,7 +19,7 @@ class FloatProperty;
 namespace polygonal_perception {
 
 /// Shows a polygonal_perception/PolygonArray: each polygon filled, holes left open, with its outline.
-class PolygonArrayDisplay : public rviz::MessageFilterDisplay<PolygonArray>
+class PolygonArrayDisplay : public NewestMessageDisplay<PolygonArray>
 {
   Q_OBJECT
 public:
@@ -36,7 +36,7 @@ private Q_SLOTS:
   void redraw();
 
 private:
-  void processMessage(const PolygonArray::ConstPtr& message) override;
+  void show(const PolygonArray::ConstPtr& message) override;
   void paint(std::vector<PolygonShape::Polygon>& polygons);
 
   // rviz owns the properties: they are children of the display.

@@ -156,6 +156,18 @@ class DisplaysTest(unittest.TestCase):
         self.assertAlmostEqual((origin[1] - blue_top) / PIXELS, 1.0, delta=0.04)
         self.assertAlmostEqual((origin[1] - blue_bottom) / PIXELS, -1.0, delta=0.04)
 
+    def test_a_message_waits_for_its_transform(self):
+        array = PolygonArray(header=Header(frame_id='late', stamp=rospy.Time.now()), floor_status=FloorPlane.FOUND,
+                             polygons=[ObstaclePolygon(boundary=ring(SQUARE))])
+        self.polygons.publish(array)
+        # What is published later is on the screen, this is not.
+        pixels = self.show_floor(lambda p: is_blue(p).any(), 'blue pixels')
+        self.assertFalse(is_red(pixels).any())
+        late = TransformStamped(header=Header(frame_id='map'), child_frame_id='late')
+        late.transform.rotation.w = 1.0
+        self.transforms.publish(TFMessage(transforms=[self.camera_pose(), late]))
+        self.rviz.wait_for(lambda: is_red(self.rviz.pixels()).any(), 'red pixels', DEADLINE)
+
     def test_a_floor_without_a_unit_normal_is_not_drawn(self):
         self.show_floor(lambda p: is_blue(p).any(), 'blue pixels')
         self.show_floor(lambda p: not is_blue(p).any(), 'the floor to go', normal=(0.0, 0.0, 0.0))
