@@ -2,6 +2,7 @@
 """up_frame and output_frame: right at the frame's stamp, patient with late transforms, and never made up."""
 import math
 import sys
+import time
 import unittest
 
 import numpy as np
@@ -98,6 +99,7 @@ class TransformsTest(unittest.TestCase):
         message = self.pose(rospy.Time(1), 5.0, 6.0, 1.0, child='static_camera')
         static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         static.publish(TFMessage([message]))
+        self.client.wait_for(lambda: static.get_num_connections() > 0, 'the node to listen to static transforms')
         answer = self.client.ask(self.camera.cloud(self.camera.render(self.boxes), self.clock.tick(), 'static_camera'))
         self.assertEqual(answer['floor'].header.frame_id, 'static_camera')
         self.check_placed(answer, 5.0, 6.0, 1.0)
@@ -113,10 +115,13 @@ class TransformsTest(unittest.TestCase):
         self.assertEqual(answer['floor'].status, FOUND)
 
     def test_other_calls_are_answered_while_a_frame_waits(self):
-        self.client.send(self.cloud(self.clock.tick()))
-        start = rospy.Time.now()
-        self.assertTrue(self.client.reset().success)
-        self.assertLess((rospy.Time.now() - start).to_sec(), 0.9, 'tf_timeout is 1 s here')
+        def time_of_a_call():
+            self.client.send(self.cloud(self.clock.tick()))
+            start = time.monotonic()
+            self.assertTrue(self.client.reset().success)
+            return time.monotonic() - start
+        # A busy machine may hold one up, too.
+        self.assertLess(min(time_of_a_call() for _ in range(5)), 0.9, 'tf_timeout is 1 s here')
 
     def test_without_the_seed_there_is_no_floor_and_no_guess(self):
         stamp = self.clock.tick()
