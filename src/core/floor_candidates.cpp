@@ -34,6 +34,8 @@ constexpr float kOnSigmas = 3.0F;
 /// Below the lowest floor that the camera can stand on less this, nothing can be the floor instead of a
 /// plane.
 constexpr double kNothingBetween = 0.3;  // [m]
+constexpr double kLeastRise = 0.1;       // [m] of a step of a staircase
+constexpr double kMostRise = 0.25;       // [m]
 
 }  // namespace
 
@@ -65,6 +67,7 @@ void FloorCandidates::collect(const SampleGrid& grid, const FloorDetector::Param
   lowest_possible_ = parameters.max_camera_height - kNothingBetween;
 
   candidates_.clear();
+  too_low_.clear();
   if (prior.height && prior.up_is_measured) examine({prior.up, *prior.height}, parameters, prior);
   const auto& segments = segmentation_.segments();
   by_size_.clear();
@@ -78,6 +81,7 @@ void FloorCandidates::collect(const SampleGrid& grid, const FloorDetector::Param
     if (known(grid, segments[s])) continue;
     if (const auto plane = planeOf(grid, segments[s], prior)) examine(*plane, parameters, prior);
   }
+  climbStairs();
 }
 
 void FloorCandidates::takeSamples(const SampleGrid& grid)
@@ -162,11 +166,15 @@ void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters&
   candidate.tilt = angleBetween(plane.normal, prior.up);
   candidate.disagreement = angleBetween(plane.normal, normals.cast<double>());
   if (candidate.tilt > parameters.max_tilt + (prior.up_is_measured ? 0.0 : kSeedSlack)) return;
-  if (plane.distance < parameters.min_camera_height || plane.distance > parameters.max_camera_height) return;
+  if (plane.distance < parameters.min_camera_height) return;
   samples_.compare(plane, band);
   candidate.tally = samples_.tally();
   if (static_cast<double>(picked_.size()) < kLeastAgreeing * candidate.tally.on ||
       candidate.tally.on < kLeastSupport * static_cast<double>(segmentation_.segmentOf().size())) {
+    return;
+  }
+  if (plane.distance > parameters.max_camera_height) {
+    if (too_low_.size() < kMostCandidates) too_low_.push_back(plane);
     return;
   }
   candidate.lowest = isLowest(plane, candidate.tally, parameters);
@@ -183,6 +191,35 @@ void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters&
                             });
   }
   candidates_.push_back(candidate);
+}
+
+std::optional<double> FloorCandidates::rise(const Plane& lower, const Plane& upper)
+{
+  constexpr double kParallel = 0.1;  // [rad] 6 degrees
+  const double rise = lower.distance - upper.distance;
+  if (rise < kLeastRise || rise > kMostRise || angleBetween(lower.normal, upper.normal) > kParallel) {
+    return std::nullopt;
+  }
+  return rise;
+}
+
+void FloorCandidates::climbStairs()
+{
+  constexpr double kSameRise = 0.03;  // [m]
+  for (std::size_t k = 0; k < too_low_.size(); ++k) {
+    const Plane lower = too_low_[k];
+    for (FloorCandidate& step : candidates_) {
+      const auto rise_to_step = rise(lower, step.plane);
+      if (!rise_to_step || step.refused) continue;
+      for (FloorCandidate& upper : candidates_) {
+        const auto rise_from_step = rise(step.plane, upper.plane);
+        if (!rise_from_step || std::abs(*rise_from_step - *rise_to_step) > kSameRise) continue;
+        step.refused = true;
+        upper.above_steps = true;
+      }
+      if (step.refused) too_low_.push_back(step.plane);
+    }
+  }
 }
 
 double FloorCandidates::weight(const FloorCandidate& candidate) const
@@ -211,7 +248,7 @@ FloorCandidate* FloorCandidates::best(const FloorPrior& prior)
   FloorCandidate* best = nullptr;
   for (FloorCandidate& c : candidates_) {
     const bool own = prior.firm && c.continues;
-    if (c.refused || c.known_other || !(own || c.lowest)) continue;
+    if (c.refused || c.known_other || !(own || c.lowest || c.above_steps)) continue;
     const bool best_is_own = best != nullptr && prior.firm && best->continues;
     if (best == nullptr || own != best_is_own) {
       if (best == nullptr || own) best = &c;

@@ -31,7 +31,8 @@ struct FloorCandidate
   bool lowest = false;        // hardly a sample lies below it
   bool continues = false;     // it is where the last floor was
   bool known_other = false;   // it is where another plane was seen with the last floor
-  bool refused = false;       // a closer look found that it is no floor
+  bool above_steps = false;   // it is the top of a staircase, whose steps lie below it
+  bool refused = false;       // it is a step, or a closer look found that it is no floor
 };
 
 /// Finds the level planes among the samples of a frame and says which is most likely the floor (sections
@@ -67,6 +68,12 @@ private:
                                const FloorPrior& prior) const;
   bool known(const SampleGrid& grid, const Segmentation::Segment& segment) const;
   void examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
+  /// How much higher a plane is, where it may be the next step of a staircase.
+  static std::optional<double> rise(const Plane& lower, const Plane& upper);
+  /// Takes no step of a staircase that leads down for the floor. A step may lie at a height that the camera
+  /// can have, but the next one below it, by the same rise, does not, and the next one above it is a plane
+  /// too.
+  void climbStairs();
   double weight(const FloorCandidate& candidate) const;
   bool under(const FloorCandidate& lower, const FloorCandidate& upper) const;
 
@@ -77,6 +84,7 @@ private:
   std::vector<std::uint32_t> by_size_;
   std::vector<std::uint32_t> picked_;
   std::vector<FloorCandidate> candidates_;
+  std::vector<Plane> too_low_;    // level planes lower than the camera can stand on, and steps above them
   double lowest_possible_ = 0.0;  // [m] below which a floor may have points under it
 };
 

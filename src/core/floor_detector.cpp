@@ -30,8 +30,8 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
   for (auto* candidate = candidates.best(prior); candidate != nullptr && !floor;
        candidate = candidates.best(prior)) {
     const auto refined = refinement.refine(candidate->plane, parameters_);
-    const bool own = prior.firm && candidate->continues;
-    if (refined && (own || isLowest(refined->fit.plane, refined->tally, parameters_))) {
+    const bool may_have_more_below = (prior.firm && candidate->continues) || candidate->above_steps;
+    if (refined && (may_have_more_below || isLowest(refined->fit.plane, refined->tally, parameters_))) {
       floor.emplace();
       floor->plane = refined->fit.plane;
       floor->rms_error = refined->fit.rms_error;

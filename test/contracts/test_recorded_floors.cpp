@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
+#include <string>
 
 #include "error_statistics.hpp"
 #include "polygonal_perception/floor_tracker.hpp"
@@ -9,12 +11,33 @@
 namespace polygonal_perception {
 namespace {
 
-/// Frames whose reference is not to be trusted to 5 cm: the floor is a strip of 1.7 % of the image; it is
-/// nearly grazed; it is bent, so that the reference, fitted to its far end too, has an rms of 24 and 37 mm,
-/// where the plane found, with 17 and 11 mm, follows the near floor.
-const std::set<std::string> kHard = {"kinect_scenes/depth/office1.png", "boxes_low_camera/depth/000005.png",
-                                     "singles/depth/tum_fr3_long_office_open3d.png",
+/// Frames whose reference is not to be trusted: the floor is a strip of 1.7 % of the image, or nearly grazed.
+const std::set<std::string> kHard = {"kinect_scenes/depth/office1.png", "boxes_low_camera/depth/000005.png"};
+
+/// Floors that the sensor bends: their references have a residual of 24 and 37 mm. The plane found may differ
+/// from such a reference where it is the better one.
+const std::set<std::string> kBent = {"singles/depth/tum_fr3_long_office_open3d.png",
                                      "singles/depth/tum_fr3_long_office_val_1341848230.910894.png"};
+
+/// How a plane agrees with a depth image.
+struct Agreement
+{
+  int on = 0;     ///< pixels within 2 cm
+  int under = 0;  ///< pixels more than 5 cm below it, where nothing can be
+};
+
+Agreement agreement(const Plane& plane, const PointView& view)
+{
+  Agreement result;
+  for (std::uint32_t v = 0; v < view.height(); ++v) {
+    for (std::uint32_t u = 0; u < view.width(); ++u) {
+      const double height = plane.height(view.point(u, v).cast<double>());
+      result.on += std::abs(height) < 0.02 ? 1 : 0;
+      result.under += height < -0.05 ? 1 : 0;
+    }
+  }
+  return result;
+}
 
 class RecordedFloors : public ::testing::Test
 {
@@ -30,9 +53,12 @@ protected:
   const FloorState& see(const RecordedFrame& frame)
   {
     const LoadedFrame loaded = load(frame);
+    if (kBent.count(frame.name) != 0) reference_ = agreement(*frame.floor, loaded.view());
     grid_.update(loaded.view());
     stamp_ += 1.0 / 30.0;
-    return tracker_.update(loaded.view(), grid_, stamp_, std::nullopt);
+    const FloorState& state = tracker_.update(loaded.view(), grid_, stamp_, std::nullopt);
+    if (kBent.count(frame.name) != 0) found_ = agreement(state.floor.plane, loaded.view());
+    return state;
   }
 
   void check(const RecordedFrame& frame, const FloorState& state)
@@ -41,6 +67,10 @@ protected:
     if (!frame.floor) {
       EXPECT_NE(state.status, FloorStatus::kFound)
           << frame.name << " shows no floor, one was found at " << state.floor.plane.distance << " m";
+    } else if (kBent.count(frame.name) != 0) {
+      ASSERT_EQ(state.status, FloorStatus::kFound) << frame.name;
+      EXPECT_GT(found_.on, 1.1 * reference_.on) << frame.name;
+      EXPECT_LT(found_.under, 0.1 * reference_.under) << frame.name;
     } else if (state.status == FloorStatus::kFound && kHard.count(frame.name) == 0) {
       EXPECT_FALSE(isWrong(state.floor.plane, *frame.floor))
           << frame.name << ": " << normalError(state.floor.plane, *frame.floor) << " deg and "
@@ -52,6 +82,7 @@ protected:
   SampleGrid grid_{SampleGrid::Parameters{}};
   FloorTracker tracker_{FloorTracker::Parameters{}, FloorDetector::Parameters{}};
   double stamp_ = 0.0;
+  Agreement reference_, found_;  // of the last frame whose floor is bent
 };
 
 TEST_F(RecordedFloors, AreFoundFromTheInitialUpVectorAlone)

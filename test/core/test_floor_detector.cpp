@@ -172,6 +172,46 @@ TEST_F(AtALedge, AFirmFloorGoesOnAboveTheDrop)
   EXPECT_NEAR(*found->others.begin(), -1.2, 0.01);
 }
 
+/// A camera pitched down by 0.7 rad looks down a staircase: treads 28 cm deep, each 16 cm lower, from 0.9 m
+/// ahead.
+PlaneScene stairsDown(const Plane& own)
+{
+  const Eigen::Vector3d ahead(0.0, -std::sin(0.7), std::cos(0.7));
+  PlaneScene scene(320, 240, 285.0, 0.002);
+  for (int step = 0; step < 6; ++step) {
+    scene.add(raised(own, -0.16 * step),
+              [&](const Eigen::Vector3d& p) { return ahead.dot(p) < 0.9 + 0.28 * step; });
+  }
+  return scene;
+}
+
+TEST(FloorDetector, AStepThatTheCameraCouldStandOnIsNotTheFloorIfTheNextOneCannotBe)
+{
+  const Plane own = floorSeenFrom(1.2, 0.7);
+  FloorDetector::Parameters parameters;
+  for (const double known_to : {0.1, 0.25, 0.4}) {
+    parameters.max_camera_height = own.distance + known_to;
+    const auto found = detect(stairsDown(own), seed(), parameters);
+    ASSERT_TRUE(found) << "height known to " << known_to;
+    EXPECT_NEAR(found->plane.distance, own.distance, 0.01) << "height known to " << known_to;
+  }
+}
+
+TEST(FloorDetector, ABoxUponTheFloorIsNoStairHoweverDeepTheHoleBesideIt)
+{
+  // A pallet's top 14 cm above the floor, and a pit of 0.6 m beyond: their rises differ.
+  const Plane own = floorSeenFrom(1.2, 0.7);
+  PlaneScene scene(320, 240, 285.0, 0.002);
+  scene.add(raised(own, -0.6));
+  scene.add(own, [](const Eigen::Vector3d& p) { return p.z() < 1.7; });
+  scene.add(raised(own, 0.14), [](const Eigen::Vector3d& p) { return p.z() < 1.2 && p.x() > 0.0; });
+  FloorDetector::Parameters parameters;
+  parameters.max_camera_height = own.distance + 0.25;
+  const auto found = detect(scene, seed(), parameters);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, own.distance, 0.01);
+}
+
 TEST(FloorDetector, LabelsSayWhatBecameOfEachSample)
 {
   const Plane floor = floorSeenFrom(1.0, 0.6);

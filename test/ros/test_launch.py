@@ -73,8 +73,7 @@ class LaunchTest(unittest.TestCase):
                 client = NodeClient(outputs=())
                 client.read('floor')
                 for _ in range(3):
-                    # The same frame once more. It is one of the middle: rosbag closes and opens its topics at each
-                    # turn, and what it plays just before or after that may not arrive.
+                    # The same frame once more. It is one of the middle: of those at a turn not every one arrives.
                     self.assertEqual(client.answer(stamps[8])['floor'].status, FOUND)
                     client.answers.clear()
                 client.wait_for_log('time has jumped back')
