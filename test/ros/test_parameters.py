@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Parameters: refused at the start, and changed while the node runs."""
+import subprocess
 import sys
 import unittest
 
@@ -59,6 +60,12 @@ class ParametersTest(unittest.TestCase):
             nearest = min(p.x for p in answer['polygons'].polygons[0].boundary.points)
             self.assertTrue(1.8 - radius - 0.1 - 0.075 <= nearest <= 1.8 - radius + 1e-6, (radius, nearest))
             self.assertEqual(rospy.get_param(NODE + '/robot_radius'), radius)
+
+    def test_the_command_line_changes_the_next_frame(self):
+        self.answer()
+        subprocess.run(['rosrun', 'dynamic_reconfigure', 'dynparam', 'set', NODE, 'robot_radius', '0.1'], check=True)
+        nearest = min(p.x for p in self.answer()['polygons'].polygons[0].boundary.points)
+        self.assertTrue(1.8 - 0.1 - 0.1 - 0.075 <= nearest <= 1.8 - 0.1 + 1e-6, nearest)
 
     def test_sizes_change_too(self):
         self.set(grid_resolution=0.1, samples_x=16)
