@@ -31,6 +31,7 @@ std::string DepthStream::open(const SourceOptions& options)
   if (choice.uri.empty()) return choice.error;
   if (device_.open(choice.uri.c_str()) != openni::STATUS_OK) return failure("cannot open " + choice.uri);
   uri_ = choice.uri;
+  serial_ = serialNumber(device_);
   std::string error = configure(options);
   if (!error.empty()) close();
   return error;
@@ -119,6 +120,7 @@ DepthStream::Read DepthStream::read(std::chrono::milliseconds timeout,
   frame.width = static_cast<std::uint32_t>(frame_.getWidth());
   frame.height = static_cast<std::uint32_t>(frame_.getHeight());
   frame.timestamp = frame_.getTimestamp();
+  frame.serial = serial_;
   frame.focal_length = 0.5 * frame.width / std::tan(0.5 * stream_.getHorizontalFieldOfView());
   on_frame(frame);
   frame_.release();

@@ -44,6 +44,7 @@ private:
   std::string setMode(const SourceOptions& options);
 
   std::string uri_;
+  std::string serial_;
   // In this order: the stream goes before its device.
   openni::Device device_;
   openni::VideoStream stream_;

@@ -1,7 +1,5 @@
 #include "device_list.hpp"
 
-#include <OpenNI.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -38,6 +36,19 @@ std::string nth(const std::vector<std::string>& uris, const std::string& number)
   return *end == '\0' && n >= 1 && n <= uris.size() ? uris[n - 1] : std::string();
 }
 
+/// The device of a serial number, for which each has to be opened.
+std::string withSerial(const std::string& serial, const std::vector<std::string>& uris)
+{
+  for (const std::string& uri : uris) {
+    openni::Device device;
+    if (device.open(uri.c_str()) != openni::STATUS_OK) continue;
+    const bool is_it = serialNumber(device) == serial;
+    device.close();
+    if (is_it) return uri;
+  }
+  return {};
+}
+
 std::string matching(const std::string& device_id, const std::vector<std::string>& uris)
 {
   if (device_id.empty()) return nth(uris, "1");
@@ -46,7 +57,8 @@ std::string matching(const std::string& device_id, const std::vector<std::string
     if (uri == device_id) return uri;
   }
   const auto at = device_id.find('@');
-  if (at == std::string::npos || device_id.find('/') != std::string::npos) return {};
+  if (device_id.find('/') != std::string::npos) return {};
+  if (at == std::string::npos) return withSerial(device_id, uris);
   std::vector<std::string> on_bus;
   for (const std::string& uri : uris) {
     if (busOf(uri) == device_id.substr(0, at)) on_bus.push_back(uri);
@@ -55,6 +67,15 @@ std::string matching(const std::string& device_id, const std::vector<std::string
 }
 
 }  // namespace
+
+std::string serialNumber(openni::Device& device)
+{
+  char serial[ONI_MAX_STR] = "";
+  int size = sizeof serial;
+  if (device.getProperty(ONI_DEVICE_PROPERTY_SERIAL_NUMBER, serial, &size) != openni::STATUS_OK) return {};
+  serial[sizeof serial - 1] = '\0';
+  return serial;
+}
 
 DeviceChoice chooseDevice(const std::string& device_id)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <OpenNI.h>
+
 #include <string>
 
 namespace polygonal_perception {
@@ -11,6 +13,9 @@ struct DeviceChoice
   std::string uri;    ///< empty: none
   std::string error;  ///< with the devices that were seen
 };
+
+/// Of a device that is open; empty where it tells none.
+std::string serialNumber(openni::Device& device);
 
 DeviceChoice chooseDevice(const std::string& device_id);
 

@@ -1,11 +1,12 @@
 #include "openni2_camera_ros.hpp"
 
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <boost/make_shared.hpp>
 #include <cstring>
+
+#include "depth_modes.hpp"
 
 namespace polygonal_perception {
 namespace openni2 {
@@ -18,6 +19,11 @@ SourceOptions readOptions(const ros::NodeHandle& node)
   node.param("width", options.width, options.width);
   node.param("height", options.height, options.height);
   node.param("rate", options.rate, options.rate);
+  int mode = 0;
+  if (node.getParam("depth_mode", mode) && !setDepthMode(mode, options)) {
+    ROS_ERROR("%s/depth_mode is %d, must be within 1..12; the mode is %dx%d at %d Hz",
+              node.getNamespace().c_str(), mode, options.width, options.height, options.rate);
+  }
   node.param("depth_registration", options.registration, options.registration);
   node.param("mirror", options.mirror, options.mirror);
   node.param("loop", options.loop, options.loop);
@@ -38,32 +44,16 @@ sensor_msgs::ImagePtr toImage(const DepthFrame& frame, const std_msgs::Header& h
   return image;
 }
 
-sensor_msgs::CameraInfoPtr toCameraInfo(const DepthFrame& frame, const std_msgs::Header& header)
-{
-  // Pixel centres lie at integers.
-  const double cx = 0.5 * (frame.width - 1.0);
-  const double cy = 0.5 * (frame.height - 1.0);
-  const double f = frame.focal_length;
-  auto info = boost::make_shared<sensor_msgs::CameraInfo>();
-  info->header = header;
-  info->width = frame.width;
-  info->height = frame.height;
-  info->distortion_model = "plumb_bob";
-  info->D.assign(5, 0.0);
-  info->K = {f, 0.0, cx, 0.0, f, cy, 0.0, 0.0, 1.0};
-  info->R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
-  info->P = {f, 0.0, cx, 0.0, 0.0, f, cy, 0.0, 0.0, 0.0, 1.0, 0.0};
-  return info;
-}
-
 }  // namespace
 
 OpenNI2CameraRos::OpenNI2CameraRos(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
 {
   const SourceOptions options = readOptions(private_node);
-  frame_id_ = options.registration
-                  ? private_node.param<std::string>("rgb_frame_id", "camera_rgb_optical_frame")
-                  : private_node.param<std::string>("depth_frame_id", "camera_depth_optical_frame");
+  // As openni2_camera names them: registered depth is the colour camera's.
+  const std::string view = options.registration ? "rgb" : "depth";
+  private_node.param(view + "_frame_id", frame_id_, "camera_" + view + "_optical_frame");
+  const auto url = private_node.param<std::string>(view + "_camera_info_url", "");
+  calibration_ = std::make_unique<DepthCalibration>(ros::NodeHandle(node, "depth"), view, url);
 
   // Readers may come while this is under way: they wait until all members are there.
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -71,7 +61,10 @@ OpenNI2CameraRos::OpenNI2CameraRos(const ros::NodeHandle& node, const ros::NodeH
   const auto on_image = [this](const image_transport::SingleSubscriberPublisher&) { onReaders(); };
   const auto on_info = [this](const ros::SingleSubscriberPublisher&) { onReaders(); };
   raw_ = transport.advertiseCamera("depth/image_raw", 1, on_image, on_image, on_info, on_info);
-  rectified_ = transport.advertise("depth/image_rect", 1, on_image, on_image);
+  if (url.empty()) {
+    for (const char* name : {"depth/image_rect", "depth/image_rect_raw"})
+      rectified_.push_back(transport.advertise(name, 1, on_image, on_image));
+  }
   source_ = std::make_unique<OpenNI2Source>(
       options, [this](const DepthFrame& frame) { onFrame(frame); },
       [name = private_node.getNamespace()](Severity severity, const std::string& text) {
@@ -93,7 +86,10 @@ OpenNI2CameraRos::~OpenNI2CameraRos()
 void OpenNI2CameraRos::onReaders()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (source_) source_->setStreaming(raw_.getNumSubscribers() + rectified_.getNumSubscribers() > 0);
+  if (!source_) return;
+  std::uint32_t readers = raw_.getNumSubscribers();
+  for (const image_transport::Publisher& publisher : rectified_) readers += publisher.getNumSubscribers();
+  source_->setStreaming(readers > 0);
 }
 
 void OpenNI2CameraRos::onFrame(const DepthFrame& frame)
@@ -102,8 +98,10 @@ void OpenNI2CameraRos::onFrame(const DepthFrame& frame)
   header.frame_id = frame_id_;
   header.stamp.fromSec(clock_.toHost(frame.timestamp, ros::Time::now().toSec()));
   const sensor_msgs::ImageConstPtr image = toImage(frame, header);
-  raw_.publish(image, toCameraInfo(frame, header));
-  if (rectified_.getNumSubscribers() > 0) rectified_.publish(image);
+  raw_.publish(image, calibration_->cameraInfo(frame, header));
+  for (const image_transport::Publisher& publisher : rectified_) {
+    if (publisher.getNumSubscribers() > 0) publisher.publish(image);
+  }
 }
 
 }  // namespace openni2

@@ -6,20 +6,24 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
+#include "depth_calibration.hpp"
 #include "polygonal_perception/openni2/device_clock.hpp"
 #include "polygonal_perception/openni2/openni2_source.hpp"
 
 namespace polygonal_perception {
 namespace openni2 {
 
-/// Publishes the depth of an OpenNI2 camera or recording under the names that openni2_camera uses:
-/// depth/image_raw (16UC1, mm, 0 = none) with depth/camera_info, and depth/image_rect, the same image, since
-/// the device's depth comes without distortion. The stream runs while one of them has a reader.
+/// Publishes the depth of an OpenNI2 camera or recording under the names that openni2_launch uses:
+/// depth/image_raw (16UC1, mm, 0 = none) with depth/camera_info, and, unless a calibration is named, the same
+/// image as depth/image_rect_raw and depth/image_rect, since the device's depth comes without distortion.
+/// With a calibration image_proc/rectify has to make them. The stream runs while one of them has a reader.
 ///
-/// Private parameters: device_id ("#1"; see SourceOptions), width (640), height (480) [px], rate (30) [Hz],
-/// depth_registration (false), mirror (false), loop (true), depth_frame_id (camera_depth_optical_frame), and
-/// rgb_frame_id (camera_rgb_optical_frame), the frame of registered depth.
+/// Private parameters: device_id ("#1"; see SourceOptions); width (640), height (480) [px] and rate (30)
+/// [Hz], or depth_mode, a number that stands for the three as in openni2_camera; depth_registration (false),
+/// mirror (false), loop (true); depth_frame_id (camera_depth_optical_frame) and depth_camera_info_url (empty:
+/// no calibration), or with registration rgb_frame_id (camera_rgb_optical_frame) and rgb_camera_info_url.
 class OpenNI2CameraRos
 {
 public:
@@ -36,8 +40,9 @@ private:
   std::mutex mutex_;  // of source_, which readers that come and go speak to
   std::string frame_id_;
   DeviceClock clock_;
+  std::unique_ptr<DepthCalibration> calibration_;
   image_transport::CameraPublisher raw_;
-  image_transport::Publisher rectified_;
+  std::vector<image_transport::Publisher> rectified_;
   std::unique_ptr<OpenNI2Source> source_;
 };
 

@@ -36,7 +36,7 @@ class NodeClient:
     """Talks to the node /polygonal_perception, whose inputs are under /camera/depth."""
 
     def __init__(self, outputs=('floor', 'occupancy_grid', 'inflated_grid', 'polygons'), node='/polygonal_perception',
-                 depth=False):
+                 depth=False, image='image_rect'):
         self.node = node
         self.condition = threading.Condition()
         self.answers, self.logs, self.diagnostics, self.transforms = {}, [], [], []
@@ -45,7 +45,7 @@ class NodeClient:
         self.tf_reader = rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms])
         self.diagnostics_reader = rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics)
         if depth:
-            self.image = rospy.Publisher('/camera/depth/image_rect', Image, queue_size=10)
+            self.image = rospy.Publisher('/camera/depth/' + image, Image, queue_size=10)
             self.info = rospy.Publisher('/camera/depth/camera_info', CameraInfo, queue_size=10)
             self.publishers = [self.image, self.info]
         else:
@@ -115,6 +115,20 @@ class NodeClient:
     def ask(self, message, names=None):
         self.send(message)
         return self.answer(message.header.stamp, names)
+
+    def ask_until_answered(self, make_messages, deadline=2 * DEADLINE):
+        """Sends what make_messages() gives, again and again, until it is answered: for a node that comes and goes."""
+        asked = []
+
+        def answer():
+            # A question more each tenth of a second.
+            if not asked or time.monotonic() - asked[-1][1] > 0.1:
+                messages = make_messages()
+                self.send(*messages)
+                asked.append((messages[0].header.stamp.to_nsec(), time.monotonic()))
+            return next((self.answers[key] for key, _ in asked if set(self.readers) <= set(self.answers.get(key, {}))), None)
+
+        return self.wait_for(answer, 'an answer', deadline)
 
     def answered(self, stamp):
         return sorted(self.answers.get(stamp.to_nsec(), {}))

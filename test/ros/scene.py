@@ -88,6 +88,16 @@ class Camera:
         return message
 
 
+def quaternion_of(r):
+    """x, y, z, w of a rotation matrix, by its eigenvector."""
+    k = np.array([[r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[2, 0] + r[0, 2], r[2, 1] - r[1, 2]],
+                  [r[1, 0] + r[0, 1], r[1, 1] - r[0, 0] - r[2, 2], r[2, 1] + r[1, 2], r[0, 2] - r[2, 0]],
+                  [r[2, 0] + r[0, 2], r[2, 1] + r[1, 2], r[2, 2] - r[0, 0] - r[1, 1], r[1, 0] - r[0, 1]],
+                  [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1], np.trace(r)]]) / 3.0
+    values, vectors = np.linalg.eigh(k)
+    return vectors[:, values.argmax()]
+
+
 def occupied_cells(points, info, min_height, max_height, margin):
     """Cells that must be and cells that may be occupied, where points in the floor frame are known within `margin`."""
     p = points.reshape(-1, 3)

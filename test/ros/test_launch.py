@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 """Starts each launch file as a user does and looks at what comes out."""
 import os
-import signal
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -11,26 +9,23 @@ import numpy as np
 import rosbag
 import rospy
 import rostest
+from geometry_msgs.msg import TransformStamped
+from tf2_msgs.msg import TFMessage
 
 import scene
+from launched import Launched, Manager
 from node_client import FOUND, Clock, NodeClient
 
 from polygonal_perception.msg import FloorPlane
 
 
-class Launched:
-    """A launch file that runs as long as the context lasts."""
-
-    def __init__(self, name, **args):
-        self.command = ['roslaunch', 'polygonal_perception', name] + ['%s:=%s' % item for item in args.items()]
-
-    def __enter__(self):
-        self.process = subprocess.Popen(self.command)
-        return self
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait()
+def transform(parent, child, position=(0, 0, 0), rotation=np.eye(3)):
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    t, r = message.transform.translation, message.transform.rotation
+    t.x, t.y, t.z = position
+    r.x, r.y, r.z, r.w = scene.quaternion_of(rotation)
+    return message
 
 
 def config(name):
@@ -41,24 +36,24 @@ class LaunchTest(unittest.TestCase):
     def check_frames(self, client, camera, count=3):
         clock = Clock()
         for _ in range(count):
-            answer = client.ask(camera.cloud(camera.render(), clock.tick()))
+            answer = client.ask_until_answered(lambda: [camera.cloud(camera.render(), clock.tick())])
             self.assertEqual(answer['floor'].status, FOUND)
-        return answer
 
     def test_with_its_own_manager(self):
         with Launched('polygonal_perception.launch', config=config('nao.yaml')):
             client = NodeClient(['floor', 'polygons'])
-            self.check_frames(client, scene.Camera(height=0.5))
-            self.assertEqual(rospy.get_param('/polygonal_perception/robot_radius'), 0.2)
+            camera = scene.Camera(height=0.5)
+            tf = rospy.Publisher('/tf_static', TFMessage, queue_size=10, latch=True)
+            tf.publish(TFMessage([transform('odom', 'base_footprint'),
+                                  transform('base_footprint', scene.OPTICAL_FRAME, camera.position, camera.rotation)]))
+            client.wait_for(lambda: tf.get_num_connections() > 0, 'the node to listen to tf')
+            self.check_frames(client, camera)
+            self.assertEqual(rospy.get_param('/polygonal_perception/robot_radius'), 0.21)
 
     def test_in_a_manager_that_runs(self):
-        with subprocess.Popen(['rosrun', 'nodelet', 'nodelet', 'manager', '__name:=driver']) as manager:
-            try:
-                with Launched('polygonal_perception.launch', manager='driver'):
-                    client = NodeClient(['floor', 'polygons'])
-                    self.check_frames(client, scene.Camera())
-            finally:
-                manager.send_signal(signal.SIGINT)
+        with Manager('driver'), Launched('polygonal_perception.launch', manager='driver'):
+            client = NodeClient(['floor', 'polygons'])
+            self.check_frames(client, scene.Camera())
 
     def test_the_replay_begins_again_and_again(self):
         camera = scene.Camera(width=160, rows=120)

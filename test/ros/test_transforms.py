@@ -17,16 +17,6 @@ from node_client import FOUND, NOT_FOUND, OUTPUTS, Clock, NodeClient
 IN_INPUT_FRAME = ['floor', 'floor_coefficients', 'samples']
 
 
-def quaternion_of(r):
-    """x, y, z, w of a rotation matrix, by its eigenvector."""
-    k = np.array([[r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[2, 0] + r[0, 2], r[2, 1] - r[1, 2]],
-                  [r[1, 0] + r[0, 1], r[1, 1] - r[0, 0] - r[2, 2], r[2, 1] + r[1, 2], r[0, 2] - r[2, 0]],
-                  [r[2, 0] + r[0, 2], r[2, 1] + r[1, 2], r[2, 2] - r[0, 0] - r[1, 1], r[1, 0] - r[0, 1]],
-                  [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1], np.trace(r)]]) / 3.0
-    values, vectors = np.linalg.eigh(k)
-    return vectors[:, values.argmax()]
-
-
 class TransformsTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -50,7 +40,7 @@ class TransformsTest(unittest.TestCase):
         message.header.stamp, message.header.frame_id = stamp, 'odom'
         t, r = message.transform.translation, message.transform.rotation
         t.x, t.y, t.z = x, y, self.camera.height
-        r.x, r.y, r.z, r.w = quaternion_of(turn @ self.camera.rotation)
+        r.x, r.y, r.z, r.w = scene.quaternion_of(turn @ self.camera.rotation)
         return message
 
     def send_pose(self, *args):

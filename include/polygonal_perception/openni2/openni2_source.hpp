@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace polygonal_perception {
 namespace openni2 {
@@ -12,8 +13,8 @@ namespace openni2 {
 /// What to open and how.
 struct SourceOptions
 {
-  /// "#n": the nth device found, from 1; "bus@n": the nth on that USB bus; a device's URI; or the path of an
-  /// .oni file.
+  /// "#n": the nth device found, from 1; "bus@n": the nth on that USB bus; a device's URI; its serial number;
+  /// or the path of an .oni file.
   std::string device_id = "#1";
   int width = 640;            ///< [px] the mode; a recording keeps its own
   int height = 480;           ///< [px]
@@ -31,6 +32,7 @@ struct DepthFrame
   std::uint32_t width = 0;             ///< [px]
   std::uint32_t height = 0;            ///< [px]
   std::uint64_t timestamp = 0;         ///< [us] on the device's clock
+  std::string_view serial;             ///< the device's serial number; empty where it tells none
   double focal_length = 0.0;           ///< [px] from the stream's field of view; the pixels are square
 };
 

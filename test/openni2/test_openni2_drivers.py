@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""openni2.launch with each of its drivers, on the virtual device, and the choice between them."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from nodelet.srv import NodeletList
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path.insert(0, os.path.join(HERE, '..', 'ros'))
+from launched import Started  # noqa: E402
+from node_client import DEADLINE, FOUND, NodeClient  # noqa: E402
+
+STAND_IN = os.path.join(HERE, 'openni2_launch_stand_in.xml')
+CHOICE = os.path.join(HERE, '..', '..', 'scripts', 'openni2_driver')
+MANAGER = '/camera/camera_nodelet_manager'
+PACKAGE = '''<package format="2">
+  <name>openni2_launch</name> <version>0.0.0</version> <description>a stand-in</description>
+  <maintainer email="nobody@localhost">nobody</maintainer> <license>BSD-3-Clause</license>
+</package>
+'''
+CALIBRATION = '''
+image_width: 320
+image_height: 240
+camera_name: depth
+camera_matrix: {rows: 3, cols: 3, data: [280.0, 0, 161.0, 0, 281.0, 121.0, 0, 0, 1]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [0.01, 0, 0, 0, 0]}
+rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+projection_matrix: {rows: 3, cols: 4, data: [280.0, 0, 161.0, 0, 0, 281.0, 121.0, 0, 0, 0, 1, 0]}
+'''
+
+
+class OpenNI2DriversTest(unittest.TestCase):
+    def setUp(self):
+        runtime = rospy.get_param('~runtime')
+        plug = os.path.join(runtime, 'plug_of_drivers')
+        open(plug, 'w').close()
+        self.addCleanup(os.remove, plug)
+        self.environment = {
+            'LD_LIBRARY_PATH': os.pathsep.join([runtime, os.environ.get('LD_LIBRARY_PATH', '')]),
+            'POLYGONAL_PERCEPTION_VIRTUAL_PLUG': plug,
+        }
+
+    def install_stand_in(self):
+        # Not in this package's folder, where roslaunch would find two files of one name.
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        package = os.path.join(folder.name, 'openni2_launch')
+        os.makedirs(os.path.join(package, 'launch'))
+        with open(os.path.join(package, 'package.xml'), 'w') as file:
+            file.write(PACKAGE)
+        shutil.copy(STAND_IN, os.path.join(package, 'launch', 'openni2.launch'))
+        self.environment['ROS_PACKAGE_PATH'] = os.pathsep.join([os.environ['ROS_PACKAGE_PATH'], folder.name])
+
+    def launch(self, name='openni2.launch', package='polygonal_perception', **args):
+        command = ['roslaunch', package, name] + ['%s:=%s' % item for item in args.items()]
+        program = Started(*command, **self.environment)
+        program.__enter__()
+        self.addCleanup(program.__exit__)
+
+    def check_polygons(self, frame='camera_depth_optical_frame'):
+        """The floor is found in frames of the device, by our nodelet in the driver's manager."""
+        client = NodeClient(outputs=())
+        client.read('floor')
+        client.read('polygons')
+
+        def complete():
+            return [a for a in list(client.answers.values()) if {'floor', 'polygons'} <= set(a) and a['floor'].status == FOUND]
+        answers = client.wait_for(lambda: len(complete()) >= 3 and complete(), 'three floors', 60.0)
+        self.assertEqual(answers[0]['floor'].header.frame_id, frame)
+        self.assertLessEqual({'/polygonal_perception', '/camera/driver'}, self.nodelets())
+
+    @staticmethod
+    def next_message(topic, kind):
+        return rospy.wait_for_message(topic, kind, 60.0)
+
+    @staticmethod
+    def nodelets():
+        rospy.wait_for_service(MANAGER + '/list', DEADLINE)
+        return set(rospy.ServiceProxy(MANAGER + '/list', NodeletList)().nodelets)
+
+    def is_stand_in(self):
+        return '/camera/depth_metric_rect' in self.nodelets()
+
+    def test_builtin(self):
+        self.launch(driver='builtin', depth_mode=8)
+        self.check_polygons()
+        self.assertFalse(self.is_stand_in())
+        self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '16UC1')
+        self.assertEqual(self.next_message('/camera/depth/points', PointCloud2).width, 320)
+
+    def test_builtin_with_a_calibration(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            file.write(CALIBRATION)
+            file.flush()
+            self.launch(driver='builtin', depth_mode=8, depth_camera_info_url='file://' + file.name)
+            self.check_polygons()
+            info = self.next_message('/camera/depth/camera_info', CameraInfo)
+        self.assertEqual(list(info.K), [280.0, 0, 161.0, 0, 281.0, 121.0, 0, 0, 1])
+        self.assertEqual(info.D[0], 0.01)
+        self.assertEqual(info.header.frame_id, 'camera_depth_optical_frame')
+
+    def test_openni2_launch(self):
+        self.install_stand_in()
+        self.launch(driver='openni2_launch', depth_mode=8)
+        self.check_polygons()
+        self.assertTrue(self.is_stand_in())
+
+    def test_openni2_launch_in_metres(self):
+        self.install_stand_in()
+        self.launch(driver='openni2_launch', depth_mode=8, image='camera/depth/image_rect')
+        self.check_polygons()
+        self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '32FC1')
+
+    def test_openni2_launch_with_clouds(self):
+        self.install_stand_in()
+        self.launch(driver='openni2_launch', depth_mode=8, input='cloud')
+        self.check_polygons()
+
+    def test_auto_takes_openni2_launch_where_it_is_installed(self):
+        self.install_stand_in()
+        self.launch(depth_mode=8)
+        self.check_polygons()
+        self.assertTrue(self.is_stand_in())
+
+    def test_auto_takes_the_builtin_one_else(self):
+        self.launch(depth_mode=8)
+        self.check_polygons()
+        self.assertFalse(self.is_stand_in())
+
+    def test_auto_takes_the_one_that_runs(self):
+        self.install_stand_in()
+        self.launch(package='openni2_launch', depth_mode=8)
+        rospy.wait_for_service(MANAGER + '/list', 30.0)
+        output = subprocess.check_output([sys.executable, CHOICE, 'camera:=camera'],
+                                         env=dict(os.environ, **self.environment), universal_newlines=True)
+        self.assertIn(MANAGER + ' runs', output)
+
+    def test_a_driver_that_is_started_later(self):
+        self.launch(start_driver='false')
+        self.install_stand_in()
+        self.launch(package='openni2_launch', depth_mode=8)
+        self.check_polygons()
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_openni2_drivers')
+    rostest.rosrun('polygonal_perception', 'test_openni2_drivers', OpenNI2DriversTest, sys.argv)
