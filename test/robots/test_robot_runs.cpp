@@ -1,0 +1,186 @@
+// The runs of the paper's section V, with the parameters that the package ships for each robot.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "../contracts/error_statistics.hpp"
+#include "polygonal_perception/ros/tf_bridge.hpp"
+#include "shipped_config.hpp"
+#include "tracked_leg.hpp"
+
+namespace polygonal_perception {
+namespace {
+
+using simulation::SimulatedCamera;
+using simulation::SimulatedFrame;
+using simulation::Surface;
+
+constexpr int kFrames = 450;
+constexpr double kRate = 15.0;       // [Hz]
+constexpr double kClearance = 0.25;  // [m] beside two radii: cells and the simplification's tolerance
+
+class RobotRun : public testing::Test
+{
+protected:
+  void run(const std::string& scene, const std::string& robot, std::uint64_t seed)
+  {
+    SimulatedCamera::Options options;
+    options.scene = scene;
+    options.trajectory = robot;
+    options.seed = seed;
+    options.rate = kRate;
+    options.camera = simulation::PinholeCamera::ofSize(320, 240);
+    SimulatedCamera camera(options);
+    parameters_ = shippedParameters(CONFIG_FOLDER "/" + robot + ".yaml");
+    legs_ = findLegs(camera.scene(), parameters_.projection.min_height, parameters_.projection.max_height,
+                     2.0 * parameters_.inflation.robot_radius + kClearance);
+    const auto& pinhole = options.camera;
+    const PinholeRays rays =
+        PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    Pipeline pipeline(parameters_);
+    SimulatedFrame frame;
+    for (int k = 0; k < kFrames; ++k) {
+      camera.render(static_cast<std::uint32_t>(k), frame);
+      SCOPED_TRACE(robot + ", frame " + std::to_string(k));
+      const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+      const Pipeline::Result& result = pipeline.process({view, frame.time, std::nullopt});
+      ASSERT_EQ(result.floor.status, FloorStatus::kFound);
+      checkFloor(result.floor.floor.plane, frame);
+      // As the node places them with output_frame odom, where odometry is right.
+      place_ = outputPose(frame.camera_to_world, result.to_floor_frame);
+      placePolygons(result.polygons);
+      checkObstacles(frame, pinhole);
+      trackLegs(frame, pinhole);
+    }
+  }
+
+  static void checkFloor(const Plane& found, const SimulatedFrame& frame)
+  {
+    EXPECT_LT(normalError(found, frame.floor), kNormalBound);
+    EXPECT_LT(heightError(found, frame.floor), kHeightBound);
+  }
+
+  void placePolygons(const PolygonSet& polygons)
+  {
+    boundaries_.clear();
+    for (const PolygonSet::Ring& ring : polygons.rings) {
+      if (ring.hole) continue;
+      boundaries_.emplace_back();
+      for (std::uint32_t i = 0; i < ring.size; ++i)
+        boundaries_.back().push_back(place_ * polygons.vertices[ring.first + i]);
+    }
+  }
+
+  const Ring* boundaryAround(const Eigen::Vector2d& point) const
+  {
+    for (const Ring& ring : boundaries_) {
+      std::vector<cv::Point2f> corners;
+      for (const Eigen::Vector2d& p : ring)
+        corners.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+      const cv::Point2f q(static_cast<float>(point.x()), static_cast<float>(point.y()));
+      if (cv::pointPolygonTest(corners, q, false) >= 0.0) return &ring;
+    }
+    return nullptr;
+  }
+
+  /// Every point of an obstacle that the camera saw lies in a polygon.
+  void checkObstacles(const SimulatedFrame& frame, const simulation::PinholeCamera& camera)
+  {
+    constexpr std::size_t kStride = 7;
+    const Eigen::Isometry2d to_floor = place_.inverse();
+    for (std::size_t i = 0; i < frame.depth.size(); i += kStride) {
+      const std::size_t row = i / camera.width;
+      const double z = frame.truth.depth[i];
+      // At an edge the sensor may return what lies behind.
+      if (frame.truth.surface[i] != Surface::kObstacle || !(std::abs(frame.depth[i] - z) < 0.05 * z))
+        continue;
+      const Eigen::Vector3d point =
+          frame.camera_to_world *
+          Eigen::Vector3d((static_cast<double>(i % camera.width) - camera.cx) / camera.fx * z,
+                          (static_cast<double>(row) - camera.cy) / camera.fy * z, z);
+      const Eigen::Vector2d on_floor = to_floor * point.head<2>().eval();
+      const bool counts = point.z() > parameters_.projection.min_height + kHeightMargin &&
+                          point.z() < parameters_.projection.max_height - kHeightMargin &&
+                          on_floor.x() > 0.1 && on_floor.x() < 4.7 && std::abs(on_floor.y()) < 2.3;
+      if (!counts) continue;
+      ++points_;
+      EXPECT_NE(boundaryAround(point.head<2>()), nullptr)
+          << "a point at " << point.transpose() << ", pixel " << i << ", measured " << frame.depth[i]
+          << " m instead of " << z << " m, is in no polygon";
+    }
+  }
+
+  void trackLegs(const SimulatedFrame& frame, const simulation::PinholeCamera& camera)
+  {
+    for (TrackedLeg& leg : legs_) {
+      if (!leg.isInView(frame, camera)) continue;
+      const Ring* boundary = boundaryAround(leg.centre());
+      // Behind something else it does not show, and may lie in that thing's polygon.
+      if (boundary != nullptr && areaOf(*boundary) < kLargestLegs * legArea()) leg.add(*boundary);
+    }
+  }
+
+  static double areaOf(const Ring& ring)
+  {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Eigen::Vector2d& a = ring[i];
+      const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * twice;
+  }
+  double legArea() const { return M_PI * std::pow(parameters_.inflation.robot_radius + 0.1, 2); }
+
+  /// Of the leg that was seen most often.
+  Spread steadiest() const
+  {
+    Spread most;
+    for (const TrackedLeg& leg : legs_) {
+      const Spread spread = leg.spread();
+      if (spread.frames > most.frames) most = spread;
+    }
+    return most;
+  }
+
+  static constexpr double kNormalBound = 0.5;    // [deg]
+  static constexpr double kHeightBound = 10.0;   // [mm]
+  static constexpr double kHeightMargin = 0.05;  // [m] for noise
+  static constexpr double kLargestLegs = 1.5;
+
+  Pipeline::Parameters parameters_;
+  std::vector<TrackedLeg> legs_;
+  Eigen::Isometry2d place_ = Eigen::Isometry2d::Identity();
+  std::vector<Ring> boundaries_;
+  std::size_t points_ = 0;
+};
+
+void expectSteady(const Spread& spread)
+{
+  EXPECT_LT(spread.standard_deviation, 0.02);
+  EXPECT_LT(spread.greatest, 0.05);
+  EXPECT_LT(spread.bias, 0.03);
+  testing::Test::RecordProperty("frames", static_cast<int>(spread.frames));
+  testing::Test::RecordProperty("standard_deviation_um", static_cast<int>(1e6 * spread.standard_deviation));
+  testing::Test::RecordProperty("greatest_um", static_cast<int>(1e6 * spread.greatest));
+  testing::Test::RecordProperty("bias_um", static_cast<int>(1e6 * spread.bias));
+}
+
+TEST_F(RobotRun, RobotinoDrivesThroughAnOfficeInWhichSomebodyWalks)
+{
+  run("busy_office", "robotino", 14);
+  EXPECT_GT(points_, 10000U);
+}
+
+TEST_F(RobotRun, NaoWalksAndATablesLegStaysWhereItIs)
+{
+  run("office", "nao", 5);
+  EXPECT_GT(points_, 10000U);
+  const Spread spread = steadiest();
+  EXPECT_GT(spread.frames, 300U);
+  expectSteady(spread);
+}
+
+}  // namespace
+}  // namespace polygonal_perception
