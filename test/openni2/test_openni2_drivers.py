@@ -9,8 +9,10 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import TransformStamped
 from nodelet.srv import NodeletList
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from tf2_msgs.msg import TFMessage
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, '..', 'ros'))
@@ -65,6 +67,16 @@ class OpenNI2DriversTest(unittest.TestCase):
         program.__enter__()
         self.addCleanup(program.__exit__)
 
+    def place(self, *frames):
+        """What a robot's own driver publishes: each frame at the origin of the one before, the first at odom's."""
+        self.tf = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
+        transforms = [TransformStamped(child_frame_id=frame) for frame in frames]
+        for transform, parent in zip(transforms, ('odom',) + frames):
+            transform.header.frame_id = parent
+            transform.transform.rotation.w = 1.0
+        self.tf.publish(TFMessage(transforms))
+        self.addCleanup(self.tf.unregister)
+
     def check_polygons(self, frame='camera_depth_optical_frame'):
         """The floor is found in frames of the device, by our nodelet in the driver's manager."""
         client = NodeClient(outputs=())
@@ -76,6 +88,7 @@ class OpenNI2DriversTest(unittest.TestCase):
         answers = client.wait_for(lambda: len(complete()) >= 3 and complete(), 'three floors', 60.0)
         self.assertEqual(answers[0]['floor'].header.frame_id, frame)
         self.assertLessEqual({'/polygonal_perception', '/camera/driver'}, self.nodelets())
+        return answers[0]['polygons']
 
     @staticmethod
     def next_message(topic, kind):
@@ -142,6 +155,20 @@ class OpenNI2DriversTest(unittest.TestCase):
         output = subprocess.check_output([sys.executable, CHOICE, 'camera:=camera'],
                                          env=dict(os.environ, **self.environment), universal_newlines=True)
         self.assertIn(MANAGER + ' runs', output)
+
+    def test_robotino(self):
+        self.place('base_link')
+        self.launch('robotino.launch', driver='builtin', depth_mode=8)
+        self.assertEqual(self.check_polygons().header.frame_id, 'odom')
+
+    def test_nao(self):
+        self.place('base_footprint', 'Head')
+        self.launch('nao.launch', driver='builtin', depth_mode=8)
+        client = NodeClient(outputs=())
+        client.read('polygons')
+        # Whether there is a floor or not: the device is held higher than a Nao's head.
+        answer = client.wait_for(lambda: list(client.answers.values()), 'polygons', 60.0)[0]
+        self.assertEqual(answer['polygons'].header.frame_id, 'odom')
 
     def test_a_driver_that_is_started_later(self):
         self.launch(start_driver='false')
