@@ -14,12 +14,14 @@ void FloorRefinement::take(const PointView& points)
   constexpr std::uint32_t kRows = 96;
   const std::uint32_t step_u = std::max(1U, points.width() / kColumns);
   const std::uint32_t step_v = std::max(1U, points.height() / kRows);
-  pixels_.clear();
   columns_ = (points.width() - step_u / 2 + step_u - 1) / step_u;
+  const std::uint32_t rows = (points.height() - step_v / 2 + step_v - 1) / step_v;
+  pixels_.resize(std::size_t{columns_} * rows);
+  std::size_t k = 0;
   for (std::uint32_t v = step_v / 2; v < points.height(); v += step_v) {
     const std::uint32_t next = std::min(v + step_v, points.height() - 1);
     for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) points.prefetch(u, next);
-    for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) pixels_.add(points.point(u, v));
+    for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) pixels_.set(k++, points.point(u, v));
   }
 }
 
@@ -52,10 +54,10 @@ std::optional<FloorRefinement::Result> FloorRefinement::refine(const Plane& roug
   // A fit through this many pixels errs by less than the camera's own calibration.
   constexpr std::size_t kEnough = 700;
   // What lies farther off than this many times the median distance (2.5 standard deviations) is dropped,
-  // again and again: the foot of a lamp is nearer to the floor than the noise model alone could tell.
+  // again for the new plane: the foot of a lamp is nearer to the floor than the noise model alone could tell.
   constexpr float kClip = 3.7F;
   constexpr float kLeastClip = 0.5F;
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 2;
   constexpr double kLargestNormalSigma = 0.02;  // [rad] more uncertain than this it is no floor
   constexpr double kLeastSupport = 0.006;       // of all pixels
   // The plane along the noses of a staircase has many points near it, but the surface runs along it in few: a
@@ -80,7 +82,8 @@ std::optional<FloorRefinement::Result> FloorRefinement::refine(const Plane& roug
     if (!fit) return std::nullopt;
     plane = fit->plane;
   }
-  pixels_.compare(plane, band);
+  // How the points lie about the last plane but one: another sweep over all of them would hardly count them
+  // differently.
   const NoisyPoints::Tally tally = pixels_.tally();
   if (flat < kLeastFlat || fit->normal_sigma > kLargestNormalSigma ||
       tally.on < kLeastSupport * static_cast<double>(pixels_.size())) {

@@ -65,9 +65,11 @@ NoisyPoints::Tally holdAgainst(const Eigen::Vector3f& normal, float distance, co
 
 }  // namespace
 
-void NoisyPoints::clear()
+void NoisyPoints::resize(std::size_t count)
 {
-  for (auto* values : {&x_, &y_, &z_, &range_, &relative_noise_}) values->clear();
+  for (auto* values : {&x_, &y_, &z_}) values->resize(count);
+  range_.clear();
+  relative_noise_.clear();
 }
 
 void NoisyPoints::measure()

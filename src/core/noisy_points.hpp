@@ -37,7 +37,16 @@ public:
     int below = 0;  ///< clearly below the plane
   };
 
-  void clear();
+  /// Makes room for points that are to be set, and forgets what was measured of earlier ones.
+  void resize(std::size_t count);
+  void set(std::size_t k, const Eigen::Vector3f& point)
+  {
+    x_[k] = point.x();
+    y_[k] = point.y();
+    z_[k] = point.z();
+  }
+
+  void clear() { resize(0); }
   void add(const Eigen::Vector3f& point)
   {
     x_.push_back(point.x());

@@ -17,8 +17,7 @@ public:
   {
     Plane plane;
     double rms_error = 0.0;  ///< [m] weighted root mean square distance
-    /// [rad] how far the normal may be off, one standard deviation, when `independence` of the points are
-    /// independent.
+    /// [rad] how far the normal may be off, one standard deviation; neighbouring points err together.
     double normal_sigma = 0.0;
   };
 
