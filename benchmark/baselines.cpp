@@ -13,6 +13,7 @@
 
 #include "camera_frames.hpp"
 #include "paper_algorithm.hpp"
+#include "paper_floor_detector.hpp"
 
 namespace polygonal_perception {
 namespace benchmarks {
@@ -106,6 +107,25 @@ void paperPolygonisation(benchmark::State& state)
   for (auto _ : state) benchmark::DoNotOptimize(paper.process(points, office().floor()).data());
 }
 
+void wholePaper(benchmark::State& state)
+{
+  PaperAlgorithm polygonisation;
+  evaluation::PaperFloorDetector detector;
+  SampleGrid samples{SampleGrid::Parameters{}};
+  Eigen::Vector3d up = office().floor().normal;
+  const PointView points = office().view(Input::kCloud16);
+  for (auto _ : state) {
+    samples.update(points);
+    const auto floor = detector.detect(samples, up);
+    if (!floor) {
+      state.SkipWithError("no floor found");
+      break;
+    }
+    up = floor->normal;
+    benchmark::DoNotOptimize(polygonisation.process(points, *floor).data());
+  }
+}
+
 BENCHMARK(fromRosMessage)->Name("pcl::fromROSMsg")->Unit(benchmark::kMicrosecond);
 BENCHMARK(ransacPlane)->Name("pcl::SACSegmentation")->Unit(benchmark::kMicrosecond);
 BENCHMARK(organisedNormals)->Name("pcl::IntegralImageNormalEstimation")->Unit(benchmark::kMicrosecond);
@@ -113,6 +133,7 @@ BENCHMARK(organisedMultiPlane)
     ->Name("pcl::OrganizedMultiPlaneSegmentation, normals included")
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK(paperPolygonisation)->Name("section IV of the paper")->Unit(benchmark::kMicrosecond);
+BENCHMARK(wholePaper)->Name("sections III and IV of the paper")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace benchmarks
