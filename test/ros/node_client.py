@@ -33,12 +33,14 @@ def header_of(message):
 
 
 class NodeClient:
-    """Talks to the node /polygonal_perception, whose inputs are under /camera/depth."""
+    """Talks to the node /polygonal_perception, whose inputs are under /camera/depth. It runs already, or is not awaited."""
 
     def __init__(self, outputs=('floor', 'occupancy_grid', 'inflated_grid', 'polygons'), node='/polygonal_perception',
-                 depth=False, image='image_rect'):
+                 depth=False, image='image_rect', runs=True):
         self.node = node
         self.condition = threading.Condition()
+        if runs:
+            self.wait_advertised()
         self.answers, self.logs, self.diagnostics, self.transforms = {}, [], [], []
         self.readers = {}
         self.log_reader = rospy.Subscriber('/rosout', Log, lambda m: self._append(self.logs, m))
@@ -92,10 +94,25 @@ class NodeClient:
                 # Connections come and go without a notification.
                 self.condition.wait(min(left, 0.05))
 
+    def wait_advertised(self):
+        """Waits until the node has advertised what it publishes.
+
+        rospy never connects to a topic that is advertised in the moment in which it subscribes: the master's answer, which
+        does not have the new publisher, may overtake the news of it.
+        """
+        topics = [self.node + '/' + name for name in OUTPUTS] + ['/tf', '/rosout', '/diagnostics']
+
+        def advertised():
+            publishers = dict(rospy.get_master().getSystemState()[2][0])
+            process = set(publishers.get(topics[0], []))
+            return process and all(process <= set(publishers.get(topic, [])) for topic in topics)
+        self.wait_for(advertised, self.node + ' to advertise ' + ', '.join(topics))
+
     def wait_connected(self):
         self.wait_for(lambda: all(p.get_num_connections() > 0 for p in self.publishers),
                       'the node to subscribe to ' + ', '.join(p.resolved_name for p in self.publishers))
-        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in self.readers.values()), 'the node to publish')
+        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in [self.tf_reader, *self.readers.values()]),
+                      'the node to publish')
 
     def send(self, *messages):
         for message in messages:

@@ -20,7 +20,7 @@ class ReloadTest(unittest.TestCase):
         for name, kind in (('load_nodelet', NodeletLoad), ('unload_nodelet', NodeletUnload), ('list', NodeletList)):
             rospy.wait_for_service('/manager/' + name, DEADLINE)
             services[name] = rospy.ServiceProxy('/manager/' + name, kind)
-        client = NodeClient(outputs=())
+        client = NodeClient(outputs=(), runs=False)
         client.read('polygons')
         client.read('floor')
         camera, clock = scene.Camera(), Clock()
