@@ -1,5 +1,6 @@
 #include "polygonal_perception/polygonizer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "proximity.hpp"
 #include "simplification.hpp"
 #include "staircase.hpp"
+#include "vertex_estimate.hpp"
 
 namespace polygonal_perception {
 
@@ -17,14 +19,16 @@ namespace {
 /// [cells] How far beyond robot_radius and tolerance the contract lets a polygon reach: what whole cells and
 /// the bridging of their slanted steps may take.
 constexpr double kDiscretisation = 1.5;
-/// Gaps of this share of the tolerance are closed. It matters with large tolerances, where small obstacles
-/// stand close together for it.
-constexpr double kClosedGap = 0.5;
-/// A tolerance of whole cells may come out of its division a rounding error short.
-constexpr double kRounding = 1e-6;
-/// A vertex is worth the area of a cell and this many times the tolerance squared. doc/polygons.md has what
-/// follows from it.
+/// [cells] From this tolerance on, gaps are closed: small obstacles stand close together for it.
+constexpr double kLeastToClose = 2.0;
+/// [cells] A vertex is worth the area of a cell, and with larger tolerances this many times their square.
+/// doc/polygons.md has what follows from it.
 constexpr double kAreaOfTolerance = 3.0;
+/// [cells] How far the steps of a slanted outline stray from a line. Contours through the centres of cells,
+/// which the contract counts on, have no such steps.
+constexpr double kSteps = 0.65;
+/// Up to so many times the estimate there are few enough vertices: about as many as Douglas-Peucker leaves.
+constexpr double kEnough = 1.4;
 
 }  // namespace
 
@@ -92,8 +96,8 @@ void Polygonizer::polygonize(const BinaryGrid& occupancy, const BinaryGrid& infl
   const GridGeometry& geometry = inflated.geometry();
   const double radius = robot_radius / geometry.resolution;
   const double tolerance = parameters_.simplification_tolerance / geometry.resolution;
-  const int closed_gap = static_cast<int>(kClosedGap * tolerance + kRounding);
-  // No point of an inflated cell is farther from an occupied one than this.
+  const int closed_gap = tolerance < kLeastToClose ? 0 : static_cast<int>(std::sqrt(2.0) * tolerance);
+  // No point of an inflated cell, or of one in a closed gap, is farther from an occupied one than this.
   const double covered_reach = radius + std::sqrt(2.0) + closed_gap * std::sqrt(0.5);
   const double limit = radius + kDiscretisation + tolerance;
 
@@ -104,9 +108,11 @@ void Polygonizer::polygonize(const BinaryGrid& occupancy, const BinaryGrid& infl
   work.tracer.trace(work.inflated, work.outlines);
   work.proximity.setLimit(limit, limit - covered_reach);
   work.proximity.setCells(work.occupied, work.inflated);
+  const std::size_t estimate = estimateVertices(work.outlines, tolerance + kSteps);
   work.bridging.bridge(work.inflated, work.proximity, work.outlines);
-  work.simplification.simplify(geometry.cells_x, geometry.cells_y,
-                               1.0 + kAreaOfTolerance * tolerance * tolerance, work.proximity, work.outlines);
+  work.simplification.simplify(
+      geometry.cells_x, geometry.cells_y, std::max(1.0, kAreaOfTolerance * tolerance * tolerance),
+      static_cast<std::size_t>(kEnough * static_cast<double>(estimate)), work.proximity, work.outlines);
   work.writePolygons(geometry, polygons);
 }
 
