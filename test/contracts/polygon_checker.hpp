@@ -41,6 +41,13 @@ public:
   /// @return the first clause that is broken, and where; nothing when all hold
   std::optional<std::string> fault() const;
 
+  // The same for some of the clauses.
+  std::optional<std::string> notOnLattice() const;
+  std::optional<std::string> notSimple() const;     ///< 1 and 2
+  std::optional<std::string> wrongNesting() const;  ///< 1 and 2
+  std::optional<std::string> unsafe() const;        ///< 3
+  std::optional<std::string> loose() const;         ///< 4
+
 private:
   struct Point
   {
@@ -65,12 +72,6 @@ private:
   bool crossed(Point corner, std::int64_t side) const;
   bool reachable(Point a, Point b, int depth) const;
   bool reachable(Point corner, std::int64_t side) const;
-
-  std::optional<std::string> notOnLattice() const;
-  std::optional<std::string> notSimple() const;
-  std::optional<std::string> wrongNesting() const;
-  std::optional<std::string> unsafe() const;
-  std::optional<std::string> loose() const;
 
   BinaryGrid grid_;
   CellLength radius_, limit_;

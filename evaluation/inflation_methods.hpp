@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polygonal_perception/binary_grid.hpp"
+
+namespace polygonal_perception {
+namespace evaluation {
+
+/// A way to grow occupied cells by the robot's radius.
+class InflationMethod
+{
+public:
+  virtual ~InflationMethod() = default;
+  virtual std::string name() const = 0;
+  virtual void inflate(const BinaryGrid& occupancy, BinaryGrid& inflated) = 0;
+};
+
+/// This package, two others that give the same cells, and the paper's, which does not.
+/// @param robot_radius  [m]
+std::vector<std::unique_ptr<InflationMethod>> makeInflationMethods(double robot_radius, double resolution);
+
+}  // namespace evaluation
+}  // namespace polygonal_perception

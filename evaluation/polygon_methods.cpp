@@ -1,0 +1,172 @@
+#include "polygon_methods.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "bit_grid.hpp"
+#include "outline.hpp"
+#include "polygonal_perception/inflation.hpp"
+#include "polygonal_perception/polygonizer.hpp"
+
+namespace polygonal_perception {
+namespace evaluation {
+namespace {
+
+PolygonSet traceOutlines(const BinaryGrid& cells)
+{
+  BitGrid bits;
+  bits.pack(cells);
+  Outlines outlines;
+  OutlineTracer().trace(bits, outlines);
+  const GridGeometry& geometry = cells.geometry();
+  const double unit = geometry.resolution / kUnitsPerCell;
+  PolygonSet polygons;
+  const auto add = [&](const Outlines::Ring& ring) {
+    std::vector<cv::Point2d> points;
+    std::uint32_t vertex = ring.start;
+    do {
+      const LatticePoint at = outlines.vertices[vertex].at;
+      points.emplace_back(geometry.origin_x + at.x * unit, geometry.origin_y + at.y * unit);
+      vertex = outlines.vertices[vertex].next;
+    } while (vertex != ring.start);
+    addRing(points, ring.hole, polygons);
+  };
+  for (std::size_t r = 0; r < outlines.rings.size(); ++r) {
+    if (outlines.rings[r].hole) continue;
+    add(outlines.rings[r]);
+    for (const Outlines::Ring& hole : outlines.rings) {
+      if (hole.hole && hole.parent == r) add(hole);
+    }
+  }
+  return polygons;
+}
+
+class ThisPackage : public PolygonMethod
+{
+public:
+  std::string name() const override { return "this package"; }
+  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  {
+    if (polygonizer_.parameters().simplification_tolerance != task.tolerance)
+      polygonizer_ = Polygonizer({task.tolerance});
+    polygonizer_.polygonize(task.occupancy, task.inflated, task.robot_radius, polygons);
+  }
+
+private:
+  Polygonizer polygonizer_{Polygonizer::Parameters{}};
+};
+
+class NotSimplified : public PolygonMethod
+{
+public:
+  std::string name() const override { return "outlines, not simplified"; }
+  void polygonize(const PolygonTask& task, PolygonSet& polygons) override { polygons = task.outlines; }
+};
+
+/// Douglas-Peucker on the outlines, ring by ring.
+class DouglasPeucker : public PolygonMethod
+{
+public:
+  std::string name() const override { return "cv::approxPolyDP"; }
+  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  {
+    const GridGeometry& geometry = task.inflated.geometry();
+    const double unit = geometry.resolution / kUnitsPerCell;
+    polygons.clear();
+    for (const PolygonSet::Ring& ring : task.outlines.rings) {
+      points_.clear();
+      for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k) {
+        points_.emplace_back(cvRound((task.outlines.vertices[k].x() - geometry.origin_x) / unit),
+                             cvRound((task.outlines.vertices[k].y() - geometry.origin_y) / unit));
+      }
+      cv::approxPolyDP(points_, points_, task.tolerance / unit, true);
+      simplified_.clear();
+      for (const cv::Point& point : points_)
+        simplified_.emplace_back(geometry.origin_x + point.x * unit, geometry.origin_y + point.y * unit);
+      addRing(simplified_, ring.hole, polygons);
+    }
+  }
+
+private:
+  std::vector<cv::Point> points_;
+  std::vector<cv::Point2d> simplified_;
+};
+
+/// Section IV of the paper: vertices in the centres of cells, no holes.
+class PaperPolygons : public PolygonMethod
+{
+public:
+  std::string name() const override { return "paper: findContours, approxPolyDP"; }
+  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  {
+    const GridGeometry& geometry = task.inflated.geometry();
+    cells_.create(geometry.cells_y, geometry.cells_x);
+    std::copy(task.inflated.cells().begin(), task.inflated.cells().end(), cells_.begin());
+    cv::findContours(cells_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    polygons.clear();
+    for (auto& contour : contours_) {
+      cv::approxPolyDP(contour, contour, task.tolerance / geometry.resolution, true);
+      if (cv::contourArea(contour, true) < 0.0) std::reverse(contour.begin(), contour.end());
+      centres_.clear();
+      for (const cv::Point& cell : contour) {
+        centres_.emplace_back(geometry.origin_x + (cell.x + 0.5) * geometry.resolution,
+                              geometry.origin_y + (cell.y + 0.5) * geometry.resolution);
+      }
+      addRing(centres_, false, polygons);
+    }
+  }
+
+private:
+  cv::Mat1b cells_;
+  std::vector<std::vector<cv::Point>> contours_;
+  std::vector<cv::Point2d> centres_;
+};
+
+}  // namespace
+
+double areaOf(const PolygonSet& polygons)
+{
+  double twice = 0.0;
+  for (const PolygonSet::Ring& ring : polygons.rings) {
+    for (std::uint32_t k = 0; k < ring.size; ++k) {
+      const Eigen::Vector2d& a = polygons.vertices[ring.first + k];
+      const Eigen::Vector2d& b = polygons.vertices[ring.first + (k + 1) % ring.size];
+      twice += a.x() * b.y() - b.x() * a.y();
+    }
+  }
+  return 0.5 * twice;
+}
+
+PolygonTask makePolygonTask(const BinaryGrid& occupancy, double robot_radius, double tolerance)
+{
+  PolygonTask task;
+  task.occupancy = occupancy;
+  task.robot_radius = robot_radius;
+  task.tolerance = tolerance;
+  Inflation({robot_radius}).inflate(occupancy, task.inflated);
+  task.outlines = traceOutlines(task.inflated);
+  PolygonSet own;
+  ThisPackage().polygonize(task, own);
+  const double area = areaOf(task.outlines);
+  task.added_share = area > 0.0 ? areaOf(own) / area - 1.0 : 0.0;
+  return task;
+}
+
+std::vector<std::unique_ptr<PolygonMethod>> makePolygonMethods()
+{
+  std::vector<std::unique_ptr<PolygonMethod>> methods;
+  methods.push_back(std::make_unique<ThisPackage>());
+  methods.push_back(std::make_unique<NotSimplified>());
+  methods.push_back(std::make_unique<PaperPolygons>());
+  methods.push_back(std::make_unique<DouglasPeucker>());
+#ifdef POLYGONAL_PERCEPTION_HAS_GEOS
+  for (auto& method : makeGeosMethods()) methods.push_back(std::move(method));
+#endif
+#ifdef POLYGONAL_PERCEPTION_HAS_CGAL
+  methods.push_back(makeCgalMethod());
+#endif
+  return methods;
+}
+
+}  // namespace evaluation
+}  // namespace polygonal_perception
