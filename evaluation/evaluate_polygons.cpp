@@ -160,8 +160,7 @@ void scoreSettings(const std::vector<OccupancySet>& sets)
 {
   constexpr std::size_t kEvery = 4;
   std::cout << "\nThis package, every fourth frame:\n";
-  printHead("robot_radius | simplification_tolerance", PolygonScore::head(),
-            "--: | --: | " + PolygonScore::rule());
+  printHead("robot_radius | simplification_tolerance", PolygonScore::head(), "--: | " + PolygonScore::rule());
   auto methods = makePolygonMethods();
   PolygonSet polygons;
   for (const double radius : {0.0, 0.05, 0.11, 0.225, 0.30}) {
