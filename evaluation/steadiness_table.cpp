@@ -1,6 +1,7 @@
 #include "steadiness_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace evaluation {
 namespace {
 
 constexpr int kMinPoints[] = {1, 2, 3, 5, 8};
+constexpr double kFar = 2.5;  // [m]
 constexpr std::uint64_t kViews = 3;
 
 bool anyNeighbourOccupied(const BinaryGrid& grid, int i, int j)
@@ -26,38 +28,58 @@ bool anyNeighbourOccupied(const BinaryGrid& grid, int i, int j)
   return false;
 }
 
+/// Cells in which something is to be seen, but that are not occupied.
 class Losses
 {
 public:
   void add(const BinaryGrid& truth, const BinaryGrid& seen)
   {
+    const GridGeometry& geometry = truth.geometry();
     for (int j = 0; j < truth.cellsY(); ++j) {
       for (int i = 0; i < truth.cellsX(); ++i) {
         if (!truth.occupied(i, j)) continue;
-        ++cells_;
-        free_ += seen.occupied(i, j) ? 0 : 1;
-        missed_ += anyNeighbourOccupied(seen, i, j) ? 0 : 1;
+        const double range = std::hypot(geometry.origin_x + i * geometry.resolution,
+                                        geometry.origin_y + j * geometry.resolution);
+        Counts& counts = counts_[range < kFar ? 0 : 1];
+        ++counts.cells;
+        counts.free += seen.occupied(i, j) ? 0 : 1;
+        counts.missed += anyNeighbourOccupied(seen, i, j) ? 0 : 1;
       }
     }
   }
   void add(const Losses& other)
   {
-    cells_ += other.cells_;
-    free_ += other.free_;
-    missed_ += other.missed_;
+    for (std::size_t n = 0; n < std::size(counts_); ++n) {
+      counts_[n].cells += other.counts_[n].cells;
+      counts_[n].free += other.counts_[n].free;
+      counts_[n].missed += other.counts_[n].missed;
+    }
   }
-  double freeShare() const { return share(free_); }
-  double missedShare() const { return share(missed_); }
+  /// The rest of a row.
+  std::string row() const
+  {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.1f %% | %.1f %% | %.2f %% | %.2f %% |", near().percent(near().free),
+                  far().percent(far().free), near().percent(near().missed), far().percent(far().missed));
+    return text;
+  }
 
 private:
-  double share(std::size_t count) const
+  struct Counts
   {
-    return cells_ > 0 ? static_cast<double>(count) / static_cast<double>(cells_) : 0.0;
-  }
+    std::size_t cells = 0;
+    std::size_t free = 0;
+    std::size_t missed = 0;  // free, and all cells around, too
 
-  std::size_t cells_ = 0;
-  std::size_t free_ = 0;
-  std::size_t missed_ = 0;  // free, and all cells around, too
+    double percent(std::size_t count) const
+    {
+      return 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, cells));
+    }
+  };
+  const Counts& near() const { return counts_[0]; }
+  const Counts& far() const { return counts_[1]; }
+
+  Counts counts_[2];
 };
 
 struct Steadiness
@@ -72,9 +94,8 @@ struct Steadiness
   }
   void print(const std::string& name, int min_points) const
   {
-    std::printf("| %s | %d | %.3f | %.3f | %.3f | %.1f %% | %.2f %% |\n", name.c_str(), min_points,
-                quantile(moves, 0.5), quantile(moves, 0.95), quantile(moves, 1.0), 100.0 * losses.freeShare(),
-                100.0 * losses.missedShare());
+    std::printf("| %s | %d | %.3f | %.3f | %.3f | %s\n", name.c_str(), min_points, quantile(moves, 0.5),
+                quantile(moves, 0.95), quantile(moves, 1.0), losses.row().c_str());
     std::fflush(stdout);
   }
 };
@@ -110,8 +131,10 @@ void printSteadiness(int frames)
   std::printf("\nA still camera over a still scene, %d frames of each of %d views:\n", frames,
               static_cast<int>(kViews));
   std::printf(
-      "\n| scene | min_points_per_cell | moved [m]: median | 95 %% | max | cells free | cells missed |\n"
-      "| --- | --: | --: | --: | --: | --: | --: |\n");
+      "\n| scene | min_points_per_cell | moved [m]: median | 95 %% | max | free: < %.1f m | beyond | missed: "
+      "< %.1f "
+      "m | beyond |\n| --- | --: | --: | --: | --: | --: | --: | --: | --: |\n",
+      kFar, kFar);
   std::vector<Steadiness> all(std::size(kMinPoints));
   for (const char* const scene : {"office", "busy_office", "person", "doorway", "corridor"}) {
     std::vector<Steadiness> of_scene(std::size(kMinPoints));
