@@ -34,15 +34,8 @@ constexpr float kOnSigmas = 3.0F;
 /// Below the lowest floor that the camera can stand on less this, nothing can be the floor instead of a
 /// plane.
 constexpr double kNothingBetween = 0.3;  // [m]
-constexpr double kLeastRise = 0.1;       // [m] of a step of a staircase
-constexpr double kMostRise = 0.25;       // [m]
 
 }  // namespace
-
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters)
 {
@@ -67,7 +60,9 @@ void FloorCandidates::collect(const SampleGrid& grid, const FloorDetector::Param
   lowest_possible_ = parameters.max_camera_height - kNothingBetween;
 
   candidates_.clear();
+  candidates_.reserve(kMostCandidates + 1);
   too_low_.clear();
+  too_low_.reserve(2 * kMostCandidates + 1);
   if (prior.height && prior.up_is_measured) examine({prior.up, *prior.height}, parameters, prior);
   const auto& segments = segmentation_.segments();
   by_size_.clear();
@@ -81,7 +76,7 @@ void FloorCandidates::collect(const SampleGrid& grid, const FloorDetector::Param
     if (known(grid, segments[s])) continue;
     if (const auto plane = planeOf(grid, segments[s], prior)) examine(*plane, parameters, prior);
   }
-  climbStairs();
+  passOverSteps(candidates_, too_low_);
 }
 
 void FloorCandidates::takeSamples(const SampleGrid& grid)
@@ -193,70 +188,9 @@ void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters&
   candidates_.push_back(candidate);
 }
 
-std::optional<double> FloorCandidates::rise(const Plane& lower, const Plane& upper)
-{
-  constexpr double kParallel = 0.1;  // [rad] 6 degrees
-  const double rise = lower.distance - upper.distance;
-  if (rise < kLeastRise || rise > kMostRise || angleBetween(lower.normal, upper.normal) > kParallel) {
-    return std::nullopt;
-  }
-  return rise;
-}
-
-void FloorCandidates::climbStairs()
-{
-  constexpr double kSameRise = 0.03;  // [m]
-  for (std::size_t k = 0; k < too_low_.size(); ++k) {
-    const Plane lower = too_low_[k];
-    for (FloorCandidate& step : candidates_) {
-      const auto rise_to_step = rise(lower, step.plane);
-      if (!rise_to_step || step.refused) continue;
-      for (FloorCandidate& upper : candidates_) {
-        const auto rise_from_step = rise(step.plane, upper.plane);
-        if (!rise_from_step || std::abs(*rise_from_step - *rise_to_step) > kSameRise) continue;
-        step.refused = true;
-        upper.above_steps = true;
-      }
-      if (step.refused) too_low_.push_back(step.plane);
-    }
-  }
-}
-
-double FloorCandidates::weight(const FloorCandidate& candidate) const
-{
-  // A tilt from the up vector at which a plane loses most of its weight.
-  constexpr double kTiltScale = 0.45;  // [rad]
-  // A plane that is laid through parts of two surfaces, a near table and a far floor, say, has many samples
-  // but is not parallel to the surface in any of them.
-  constexpr double kDisagreementScale = 0.05;  // [rad] 3 degrees
-  const double tilt = candidate.tilt / kTiltScale;
-  const double disagreement = candidate.disagreement / kDisagreementScale;
-  return candidate.tally.on * std::exp(-tilt * tilt - disagreement * disagreement);
-}
-
-bool FloorCandidates::under(const FloorCandidate& lower, const FloorCandidate& upper) const
-{
-  // What lies on the lower plane lies below the upper one. Heights alone would not tell: a steep fit through
-  // the foot of a wall cuts through the floor and passes far below the camera.
-  constexpr double kMostOf = 0.6;
-  return upper.plane.distance < lowest_possible_ && lower.plane.distance > upper.plane.distance &&
-         upper.tally.below > kMostOf * lower.tally.on;
-}
-
 FloorCandidate* FloorCandidates::best(const FloorPrior& prior)
 {
-  FloorCandidate* best = nullptr;
-  for (FloorCandidate& c : candidates_) {
-    const bool own = prior.firm && c.continues;
-    if (c.refused || c.known_other || !(own || c.lowest || c.above_steps)) continue;
-    const bool best_is_own = best != nullptr && prior.firm && best->continues;
-    if (best == nullptr || own != best_is_own) {
-      if (best == nullptr || own) best = &c;
-    } else if ((!own && under(c, *best)) || (weight(c) > weight(*best) && (own || !under(*best, c)))) {
-      best = &c;
-    }
-  }
-  return best;
+  return mostLikelyFloor(candidates_, prior, lowest_possible_);
 }
 
 PlaneOffsets FloorCandidates::others(const Plane& floor) const

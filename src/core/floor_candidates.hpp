@@ -5,14 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "floor_choice.hpp"
 #include "noisy_points.hpp"
 #include "polygonal_perception/floor_detector.hpp"
 #include "segmentation.hpp"
 
 namespace polygonal_perception {
-
-/// The angle between two vectors of any length [rad].
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// The band in which a point counts as one of a plane.
 NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters);
@@ -20,20 +18,6 @@ NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters);
 /// Whether hardly a point lies below a plane, or none that could be of a floor instead.
 bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally,
               const FloorDetector::Parameters& parameters);
-
-/// A level plane of the frame.
-struct FloorCandidate
-{
-  Plane plane;
-  NoisyPoints::Tally tally;   // of the samples
-  double tilt = 0.0;          // [rad] from the up vector
-  double disagreement = 0.0;  // [rad] between its normal and the mean of its samples' normals
-  bool lowest = false;        // hardly a sample lies below it
-  bool continues = false;     // it is where the last floor was
-  bool known_other = false;   // it is where another plane was seen with the last floor
-  bool above_steps = false;   // it is the top of a staircase, whose steps lie below it
-  bool refused = false;       // it is a step, or a closer look found that it is no floor
-};
 
 /// Finds the level planes among the samples of a frame and says which is most likely the floor (sections
 /// III-B to III-D).
@@ -68,14 +52,6 @@ private:
                                const FloorPrior& prior) const;
   bool known(const SampleGrid& grid, const Segmentation::Segment& segment) const;
   void examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
-  /// How much higher a plane is, where it may be the next step of a staircase.
-  static std::optional<double> rise(const Plane& lower, const Plane& upper);
-  /// Takes no step of a staircase that leads down for the floor. A step may lie at a height that the camera
-  /// can have, but the next one below it, by the same rise, does not, and the next one above it is a plane
-  /// too.
-  void climbStairs();
-  double weight(const FloorCandidate& candidate) const;
-  bool under(const FloorCandidate& lower, const FloorCandidate& upper) const;
 
   Segmentation segmentation_;
   NoisyPoints samples_;                      // those with a point
