@@ -6,6 +6,7 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "douglas_peucker.hpp"
 #include "error_statistics.hpp"
 #include "polygon_checker.hpp"
 
@@ -37,26 +38,11 @@ double areaWithin(double radius, const BinaryGrid& occupancy)
   return cv::countNonZero(distance < radius / unit + 0.5) * unit * unit;
 }
 
-std::size_t verticesOfDouglasPeucker(const BinaryGrid& inflated, double tolerance)
-{
-  cv::Mat1b cells(inflated.cellsY() + 2, inflated.cellsX() + 2, std::uint8_t{0});
-  for (int j = 0; j < inflated.cellsY(); ++j)
-    std::copy_n(inflated.row(j), inflated.cellsX(), cells.ptr<std::uint8_t>(j + 1) + 1);
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(cells, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-  std::size_t count = 0;
-  for (auto& contour : contours) {
-    cv::approxPolyDP(contour, contour, tolerance / inflated.geometry().resolution, true);
-    count += contour.size();
-  }
-  return count;
-}
-
 }  // namespace
 
 PolygonReference makePolygonReference(const PolygonTask& task)
 {
-  return {verticesOfDouglasPeucker(task.inflated, task.tolerance),
+  return {verticesOfDouglasPeucker(task.inflated, task.tolerance / task.inflated.geometry().resolution),
           areaWithin(task.robot_radius, task.occupancy)};
 }
 

@@ -30,8 +30,8 @@ struct Outlines
   {
     std::uint32_t start = kNone;  ///< one of its vertices
     std::uint32_t size = 0;       ///< number of its vertices; 0 when the ring was given up
-    std::uint32_t parent =
-        kNone;  ///< what it lies in: of a hole the boundary, of a boundary the hole, if any
+    /// What it lies in: of a hole the boundary, of a boundary the hole, if any.
+    std::uint32_t parent = kNone;
     bool hole = false;
     bool inhabited = false;  ///< a ring lies in it
   };
@@ -73,8 +73,8 @@ private:
   std::vector<std::uint64_t> outside_;     ///< a free row: what lies below the first row and above the last
   std::vector<std::uint32_t> open_below_;  ///< a column's vertex whose upper edge is being followed
   std::uint32_t open_before_ = 0;          ///< the line's vertex whose edge along x is being followed
-  std::vector<std::uint32_t>
-      before_;  ///< where a ring may start: a vertex of the outline next to it along -x
+  /// Of a vertex where a ring may start: a vertex of the outline next to it along -x.
+  std::vector<std::uint32_t> before_;
   std::vector<std::uint32_t> ring_of_;  ///< the ring of a vertex
 };
 

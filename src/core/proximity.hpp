@@ -39,13 +39,14 @@ private:
 
   double limit_ = -1.0;
   double margin_ = 0.0;
-  std::vector<std::int32_t>
-      half_widths_;                      ///< of the limit's disc at a height above its centre; both in units
-  std::vector<int> margin_half_widths_;  ///< [cells] of the shape by which covered cells grow to inside_
+  /// Of the limit's disc at a height above its centre; both in units of the lattice.
+  std::vector<std::int32_t> half_widths_;
+  /// [cells] Of the shape by which covered cells grow to inside_.
+  std::vector<int> margin_half_widths_;
   const BitGrid* occupied_ = nullptr;
   BitGrid inside_;  ///< cells of which every point is within the limit; not all such
-  int witness_i_ =
-      -1;  ///< the cell that accounted for the last triangle, often good for the next one; -1: none yet
+  /// The cell that accounted for the last triangle, often good for the next one; -1: none yet.
+  int witness_i_ = -1;
   int witness_j_ = -1;
 };
 

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "douglas_peucker.hpp"
 #include "polygon_checker.hpp"
 #include "polygonal_perception/inflation.hpp"
 #include "polygonal_perception/polygonizer.hpp"
@@ -99,28 +100,10 @@ std::size_t verticesOf(const PolygonSet& polygons)
   return polygons.vertices.size();
 }
 
-/// What plain Douglas-Peucker takes on the contours of the inflated cells; a contour counts as four vertices
-/// at least, as a cell has.
-std::size_t verticesOfDouglasPeucker(const BinaryGrid& inflated, const Setting& setting)
-{
-  constexpr std::size_t kLeast = 4;
-  cv::Mat1b cells(inflated.cellsY() + 2, inflated.cellsX() + 2, std::uint8_t{0});
-  for (int j = 0; j < inflated.cellsY(); ++j) {
-    std::copy_n(inflated.row(j), inflated.cellsX(), cells.ptr<std::uint8_t>(j + 1) + 1);
-  }
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(cells, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-  std::size_t count = 0;
-  for (auto& contour : contours) {
-    cv::approxPolyDP(contour, contour, setting.tolerance * 0.001, true);
-    count += std::max(kLeast, contour.size());
-  }
-  return count;
-}
-
 /// Runs a number of random grids through all radii and tolerances in turn.
 void checkMany(unsigned grids, int smallest, int largest, std::uint32_t seed)
 {
+  constexpr std::size_t kCorners = 4;  // of a cell
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> side(smallest, largest);
   std::size_t vertices = 0;
@@ -143,7 +126,7 @@ void checkMany(unsigned grids, int smallest, int largest, std::uint32_t seed)
              << toText(small);
     }
     vertices += verticesOf(polygons);
-    vertices_of_douglas_peucker += verticesOfDouglasPeucker(inflated, setting);
+    vertices_of_douglas_peucker += verticesOfDouglasPeucker(inflated, setting.tolerance * 0.001, kCorners);
   }
   EXPECT_LE(static_cast<double>(vertices), 1.2 * static_cast<double>(vertices_of_douglas_peucker));
 }
