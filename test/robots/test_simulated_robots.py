@@ -15,6 +15,7 @@ from node_client import FOUND, NodeClient  # noqa: E402
 
 from polygonal_perception.msg import FloorPlane  # noqa: E402
 
+TRUTH = '/simulated_camera/ground_truth/floor'
 FRAMES = 20
 # A table's leg in the Nao's office, in odom [m]: test_robot_runs finds the same.
 LEG = (-1.422, -2.527)
@@ -40,8 +41,8 @@ class SimulatedRobotsTest(unittest.TestCase):
         with Launched(name + '.launch', simulation='true', rviz='false', rate='5'):
             client = NodeClient(outputs=())
             truth = {}
-            reader = rospy.Subscriber('/simulated_camera/ground_truth/floor', FloorPlane,
-                                      lambda m: truth.update({m.header.stamp.to_nsec(): m}))
+            client.wait_for(lambda: [TRUTH, FloorPlane._type] in rospy.get_published_topics(), 'the truth')
+            reader = rospy.Subscriber(TRUTH, FloorPlane, lambda m: truth.update({m.header.stamp.to_nsec(): m}))
             client.read('floor')
             client.read('polygons')
 

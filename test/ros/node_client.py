@@ -106,7 +106,8 @@ class NodeClient:
             publishers = dict(rospy.get_master().getSystemState()[2][0])
             process = set(publishers.get(topics[0], []))
             return process and all(process <= set(publishers.get(topic, [])) for topic in topics)
-        self.wait_for(advertised, self.node + ' to advertise ' + ', '.join(topics))
+        # Twice as long, since launch files may start others first.
+        self.wait_for(advertised, self.node + ' to advertise ' + ', '.join(topics), 2 * DEADLINE)
 
     def wait_connected(self):
         self.wait_for(lambda: all(p.get_num_connections() > 0 for p in self.publishers),

@@ -7,11 +7,12 @@ import numpy as np
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
+from nodelet.srv import NodeletList
 from tf2_msgs.msg import TFMessage
 
 import scene
 from launched import Launched, Manager
-from node_client import FOUND, Clock, NodeClient
+from node_client import DEADLINE, FOUND, Clock, NodeClient
 
 DELAY = 1.0 / 30.0  # openni2_camera's depth_time_offset is -0.033 s
 SPEED = 3.0  # [m/s]
@@ -30,6 +31,16 @@ class OpenNI2WaysTest(unittest.TestCase):
     def launch(self, image='image_rect_raw', **args):
         self.start(Launched('openni2.launch', start_driver='false', image='camera/depth/' + image, **args))
         return NodeClient(['floor', 'polygons'], depth=True, image=image)
+
+    @staticmethod
+    def wait_for_nodelet(client):
+        def is_loaded():
+            try:
+                nodelets = rospy.ServiceProxy('/camera/camera_nodelet_manager/list', NodeletList)().nodelets
+            except rospy.ServiceException:
+                return False
+            return '/polygonal_perception' in nodelets
+        client.wait_for(is_loaded, 'the nodelet in its manager', 2 * DEADLINE)
 
     def ask(self, client, camera, boxes=(), interval=1.0 / 30.0, **image):
         """Until it is answered: for a moment after a change an image may meet the old camera_info."""
@@ -106,7 +117,8 @@ class OpenNI2WaysTest(unittest.TestCase):
         for _ in range(2):
             self.manager.crash()
             self.manager = self.start(Manager('camera_nodelet_manager', '/camera'))
-            # rospy notices only a new reader that its topic has moved.
+            self.wait_for_nodelet(client)
+            # Only a new reader of rospy's notices that its topic has moved.
             for name in ['floor', 'polygons']:
                 client.stop_reading(name)
                 client.read(name)
