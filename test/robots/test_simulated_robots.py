@@ -41,8 +41,7 @@ class SimulatedRobotsTest(unittest.TestCase):
         with Launched(name + '.launch', simulation='true', rviz='false', rate='5'):
             client = NodeClient(outputs=())
             truth = {}
-            client.wait_for(lambda: [TRUTH, FloorPlane._type] in rospy.get_published_topics(), 'the truth')
-            reader = rospy.Subscriber(TRUTH, FloorPlane, lambda m: truth.update({m.header.stamp.to_nsec(): m}))
+            reader = client.listen(TRUTH, FloorPlane, lambda m: truth.update({m.header.stamp.to_nsec(): m}))
             client.read('floor')
             client.read('polygons')
 

@@ -77,6 +77,11 @@ class NodeClient:
         self.readers[name] = rospy.Subscriber(self.node + '/' + name, OUTPUTS[name],
                                               lambda m, name=name: self._on_answer(name, m), queue_size=50)
 
+    def listen(self, topic, kind, callback):
+        """A reader of somebody else's topic, which is awaited as in wait_advertised()."""
+        self.wait_for(lambda: topic in dict(rospy.get_published_topics()), topic + ' to be advertised')
+        return rospy.Subscriber(topic, kind, callback)
+
     def stop_reading(self, name):
         self.readers.pop(name).unregister()
 

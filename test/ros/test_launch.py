@@ -81,7 +81,7 @@ class LaunchTest(unittest.TestCase):
 
             def keep(message):
                 truth[message.header.stamp.to_nsec()] = message
-            reader = rospy.Subscriber('/simulated_camera/ground_truth/floor', FloorPlane, keep)
+            reader = client.listen('/simulated_camera/ground_truth/floor', FloorPlane, keep)
             client.read('floor')
             client.read('polygons')
 
