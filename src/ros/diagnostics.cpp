@@ -54,8 +54,10 @@ void fillDiagnostics(const NodeState& state, const FrameStatistics& statistics,
   status.add("Floor", textOf(state.floor.status));
   if (state.floor.status != FloorStatus::kNotFound) {
     status.addf("Camera height [m]", "%.3f", state.floor.floor.plane.distance);
-    status.addf("Camera pitch [deg]", "%.2f", state.attitude.pitch * kDegree);
-    status.addf("Camera roll [deg]", "%.2f", state.attitude.roll * kDegree);
+    if (state.attitude) {
+      status.addf("Camera pitch [deg]", "%.2f", state.attitude->pitch * kDegree);
+      status.addf("Camera roll [deg]", "%.2f", state.attitude->roll * kDegree);
+    }
     status.addf("Floor rms error [m]", "%.4f", state.floor.floor.rms_error);
   }
   status.add("Frames answered", statistics.answeredCount());

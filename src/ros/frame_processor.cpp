@@ -133,11 +133,11 @@ void FrameProcessor::broadcast(const Answer& answer)
       toTransform(answer.input, parameters_.floor_frame, pipeline_.result().to_floor_frame));
 }
 
-CameraAttitude FrameProcessor::attitude() const
+std::optional<CameraAttitude> FrameProcessor::attitude() const
 {
   const Eigen::Vector3d& initial_up = parameters_.pipeline.tracker.initial_up;
   const auto forward = forwardAxis(pipeline_.samples(), initial_up);
-  if (floor_.status == FloorStatus::kNotFound || !forward) return {};
+  if (floor_.status == FloorStatus::kNotFound || !forward) return std::nullopt;
   return cameraAttitude(floor_.floor.plane.normal, *forward, initial_up);
 }
 

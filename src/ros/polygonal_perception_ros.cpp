@@ -179,7 +179,6 @@ void PolygonalPerceptionRos::forgetTime(const std::string& reason)
   log_.warn("time", "time has jumped back (" + reason + "): starting anew");
   processor_->forgetTime();
   statistics_.interrupt();
-  statistics_.startReport(FrameStatistics::Clock::now());
   waiting_.clear();
   last_stamp_ = ros::Time();
 }
@@ -191,8 +190,10 @@ void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrappe
   state.active = subscribed_;
   state.awaited_topic = frames_.getTopic();
   state.awaited_is_published = frames_.getNumPublishers() > 0;
-  state.floor = processor_->floor();
-  state.attitude = processor_->attitude();
+  if (subscribed_) {  // else the next frame will know nothing of the last floor
+    state.floor = processor_->floor();
+    state.attitude = processor_->attitude();
+  }
   const auto now = FrameStatistics::Clock::now();
   fillDiagnostics(state, statistics_, now, status);
   statistics_.startReport(now);

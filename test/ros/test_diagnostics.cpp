@@ -68,7 +68,7 @@ TEST_F(DiagnosticsTest, CountsRateAndTimes)
   statistics_.dropped(1);
   state_.floor.status = FloorStatus::kFound;
   state_.floor.floor.plane.distance = 1.25;
-  state_.attitude = {0.5, -0.1};
+  state_.attitude = CameraAttitude{0.5, -0.1};
   const DiagnosticStatus status = report(milliseconds(1000));
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "floor found");

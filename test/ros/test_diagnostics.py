@@ -76,7 +76,9 @@ class DiagnosticsTest(unittest.TestCase):
         self.wait_for(DiagnosticStatus.OK, 'floor found', self.floor)
         self.wait_for(DiagnosticStatus.ERROR, 'no frame for')
         self.client.stop_reading('polygons')
-        self.wait_for(DiagnosticStatus.OK, 'idle')
+        values = self.wait_for(DiagnosticStatus.OK, 'idle')
+        self.assertEqual(values['Floor'], 'NOT_FOUND', 'a floor that the next frame knows nothing of')
+        self.assertNotIn('Camera height [m]', values)
 
 
 if __name__ == '__main__':

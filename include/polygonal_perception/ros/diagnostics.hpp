@@ -2,6 +2,7 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
+#include <optional>
 #include <string>
 
 #include "polygonal_perception/floor_tracker.hpp"
@@ -17,7 +18,7 @@ struct NodeState
   std::string awaited_topic;  ///< resolved name of the input that it cannot go on without
   bool awaited_is_published = false;
   FloorState floor;
-  CameraAttitude attitude;  ///< meaningful with a floor
+  std::optional<CameraAttitude> attitude;  ///< where there is a floor and it is known where the camera looks
 };
 
 /// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to

@@ -55,8 +55,8 @@ public:
 
   /// As it was answered last.
   const FloorState& floor() const { return floor_; }
-  /// Of the camera above that floor; level where there is none.
-  CameraAttitude attitude() const;
+  /// Of the camera above that floor; nothing where one of the two is unknown.
+  std::optional<CameraAttitude> attitude() const;
 
 private:
   /// What tf says of a frame, as far as the parameters ask it.
