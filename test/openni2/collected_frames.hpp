@@ -20,6 +20,7 @@ struct CollectedFrame
   std::uint32_t width;
   std::uint32_t height;
   double focal_length;  // [px]
+  std::string serial;
   Depth depth;
 };
 
@@ -79,7 +80,8 @@ private:
   }
   void add(const DepthFrame& frame)
   {
-    CollectedFrame copy{frame.timestamp, frame.width, frame.height, frame.focal_length, {}};
+    CollectedFrame copy{frame.timestamp,           frame.width, frame.height, frame.focal_length,
+                        std::string(frame.serial), {}};
     copy.depth.resize(std::size_t{frame.width} * frame.height);
     for (std::size_t row = 0; row < frame.height; ++row)
       std::memcpy(&copy.depth[row * frame.width], frame.data + row * frame.step,

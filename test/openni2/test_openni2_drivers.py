@@ -30,7 +30,7 @@ PACKAGE = '''<package format="2">
 CALIBRATION = '''
 image_width: 320
 image_height: 240
-camera_name: depth
+camera_name: depth_VIRTUAL0001
 camera_matrix: {rows: 3, cols: 3, data: [280.0, 0, 161.0, 0, 281.0, 121.0, 0, 0, 1]}
 distortion_model: plumb_bob
 distortion_coefficients: {rows: 1, cols: 5, data: [0.01, 0, 0, 0, 0]}
@@ -109,11 +109,16 @@ class OpenNI2DriversTest(unittest.TestCase):
         self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '16UC1')
         self.assertEqual(self.next_message('/camera/depth/points', PointCloud2).width, 320)
 
+    def test_builtin_registered(self):
+        self.environment['POLYGONAL_PERCEPTION_VIRTUAL_REGISTERS'] = '1'
+        self.launch(driver='builtin', depth_mode=8, depth_registration='true')
+        self.check_polygons(frame='camera_rgb_optical_frame')
+
     def test_builtin_with_a_calibration(self):
-        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
-            file.write(CALIBRATION)
-            file.flush()
-            self.launch(driver='builtin', depth_mode=8, depth_camera_info_url='file://' + file.name)
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, 'depth_VIRTUAL0001.yaml'), 'w') as file:
+                file.write(CALIBRATION)
+            self.launch(driver='builtin', depth_mode=8, depth_camera_info_url='file://' + folder + '/${NAME}.yaml')
             self.check_polygons()
             info = self.next_message('/camera/depth/camera_info', CameraInfo)
         self.assertEqual(list(info.K), [280.0, 0, 161.0, 0, 281.0, 121.0, 0, 0, 1])

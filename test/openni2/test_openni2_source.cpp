@@ -113,7 +113,7 @@ TEST_F(Source, WaitsForADeviceThatIsNotThereYet)
 
 TEST_F(Source, FindsADeviceByEachOfItsNames)
 {
-  for (const char* name : {"", "#1", "1@1", virtual_device::kUri}) {
+  for (const char* name : {"", "#1", "1@1", virtual_device::kUri, virtual_device::kSerialNumber}) {
     SourceOptions options = small();
     options.device_id = name;
     CollectingSource source(options);
@@ -141,6 +141,18 @@ TEST_F(Source, NamesTheModesThereAreForOneThatIsNot)
   EXPECT_TRUE(
       source.waitForReport("no depth mode 320x240 at 60 Hz; it has 320x240 at 30 Hz, 640x480 at 30 Hz"))
       << source.reports();
+}
+
+TEST_F(Source, TellsTheSerialNumberAndRegistersWhereTheDeviceCan)
+{
+  setenv(virtual_device::kRegisters, "1", 1);
+  SourceOptions options = small();
+  options.registration = true;
+  CollectingSource source(options);
+  source.setStreaming(true);
+  EXPECT_TRUE(source.waitForFrames(1)) << source.reports();
+  unsetenv(virtual_device::kRegisters);
+  EXPECT_EQ(source.frames().front().serial, virtual_device::kSerialNumber);
 }
 
 TEST_F(Source, SaysThatTheDeviceCannotRegister)

@@ -7,6 +7,9 @@ namespace polygonal_perception {
 namespace virtual_device {
 
 constexpr const char* kUri = "virtual@1/1";
+constexpr const char* kSerialNumber = "VIRTUAL0001";
+/// Environment: if set, the device says that it registers depth to colour; its two cameras see the same.
+constexpr const char* kRegisters = "POLYGONAL_PERCEPTION_VIRTUAL_REGISTERS";
 /// Environment: the device is plugged in while the file of that name exists; if unset, always.
 constexpr const char* kPlug = "POLYGONAL_PERCEPTION_VIRTUAL_PLUG";
 

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <new>
@@ -34,6 +35,23 @@ public:
     return type == ONI_SENSOR_DEPTH ? new VirtualStream(plugged_) : nullptr;
   }
   void destroyStream(oni::driver::StreamBase* stream) override { delete stream; }
+
+  OniStatus getProperty(int id, void* data, int* size) override
+  {
+    const int length = static_cast<int>(std::strlen(kSerialNumber)) + 1;
+    if (id != ONI_DEVICE_PROPERTY_SERIAL_NUMBER || *size < length) return ONI_STATUS_NOT_SUPPORTED;
+    std::memcpy(data, kSerialNumber, static_cast<std::size_t>(length));
+    *size = length;
+    return ONI_STATUS_OK;
+  }
+  OniBool isImageRegistrationModeSupported(OniImageRegistrationMode mode) override
+  {
+    return mode == ONI_IMAGE_REGISTRATION_OFF || std::getenv(kRegisters) != nullptr ? TRUE : FALSE;
+  }
+  OniStatus setProperty(int id, const void* /*data*/, int /*size*/) override
+  {
+    return id == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION ? ONI_STATUS_OK : ONI_STATUS_NOT_SUPPORTED;
+  }
 
 private:
   const std::atomic<bool>& plugged_;
