@@ -96,6 +96,7 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
                                        const std::optional<Eigen::Vector3d>& up_from_tf)
 {
   if (last_stamp_ && stamp < *last_stamp_) reset();
+  const bool time_passes = last_stamp_ && stamp > *last_stamp_;
   last_stamp_ = stamp;
   if (view_change_.update(grid)) forgetView();
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
@@ -103,9 +104,13 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
 
   if (const auto floor = detector_.detect(points, grid, prior(stamp, up_from_tf))) {
     remember(*floor, stamp);
-  } else if (state_.status != FloorStatus::kNotFound) {
+  } else if (state_.status != FloorStatus::kNotFound && time_passes) {
     state_.status = FloorStatus::kHeld;
     state_.age = stamp - *found_stamp_;
+  } else {
+    // Where the stamps stand still (a driver that sets none, a clock that stopped) nobody knows how old it
+    // is.
+    state_.status = FloorStatus::kNotFound;
   }
   return state_;
 }

@@ -3,8 +3,10 @@
 #include <ros/console.h>
 #include <ros/names.h>
 
+#include <exception>
 #include <vector>
 
+#include "diagnostic_period.hpp"
 #include "polygonal_perception/ros/diagnostics.hpp"
 #include "polygonal_perception/ros/topics.hpp"
 
@@ -22,6 +24,7 @@ NodeParameters readParameters(const ros::NodeHandle& private_handle)
   NodeParameters parameters = readNodeParameters(private_handle, errors, warnings);
   for (const std::string& error : errors) ROS_ERROR_STREAM(error);
   for (const std::string& warning : warnings) ROS_WARN_STREAM(warning);
+  ensureDiagnosticPeriod(private_handle);
   return parameters;
 }
 
@@ -82,7 +85,18 @@ void PolygonalPerceptionRos::startDiagnostics()
   // By the wall clock: a bag that stands still is worth a report too.
   diagnostics_timer_ =
       handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
-                              gated(gate_, [this](const ros::WallTimerEvent&) { updater_.force_update(); }));
+                              gated(gate_, [this](const ros::WallTimerEvent&) { report(); }));
+}
+
+void PolygonalPerceptionRos::report()
+{
+  ensureDiagnosticPeriod(private_handle_);
+  // It adds its period to the clock, which throws at the end of ROS's time.
+  try {
+    updater_.force_update();
+  } catch (const std::exception& error) {
+    log_.error("diagnostics", std::string("no diagnostics: ") + error.what());
+  }
 }
 
 void PolygonalPerceptionRos::updateSubscription()
@@ -168,9 +182,9 @@ void PolygonalPerceptionRos::processWaiting()
 void PolygonalPerceptionRos::checkClock()
 {
   // Frames of the new time may come before its clock does: then last_stamp_ is not far ahead any more.
-  const ros::Duration clock_lag(1.0);
+  constexpr double kClockLag = 1.0;  // [s]
   const ros::Time now = ros::Time::now();
-  if (now < last_now_ && now + clock_lag < last_stamp_) forgetTime("the clock was set back");
+  if (now < last_now_ && now.toSec() + kClockLag < last_stamp_.toSec()) forgetTime("the clock was set back");
   last_now_ = now;
 }
 

@@ -10,6 +10,11 @@ namespace polygonal_perception {
 Expected<Eigen::Isometry3d> TfBridge::lookup(const std::string& target, const std::string& source,
                                              const ros::Time& stamp) const
 {
+  // tf takes it for "the latest", which may be of any age.
+  if (stamp.isZero()) {
+    return Expected<Eigen::Isometry3d>::failure("no transform from '" + source + "' to '" + target +
+                                                "': header.stamp is 0, accepted is the frame's time");
+  }
   try {
     const geometry_msgs::Transform transform = buffer_.lookupTransform(target, source, stamp).transform;
     const auto& q = transform.rotation;

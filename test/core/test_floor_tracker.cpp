@@ -183,6 +183,18 @@ TEST_F(FloorTrackerTest, ATimeThatJumpsBackIsAFreshStart)
   EXPECT_EQ(see(wall()).status, FloorStatus::kNotFound);
 }
 
+TEST_F(FloorTrackerTest, HoldsNothingWhileTheStampsStandStill)
+{
+  see(bare(floorSeenFrom(1.0, 0.4)));
+  stamp_ -= kPeriod;
+  EXPECT_EQ(see(wall()).status, FloorStatus::kNotFound) << "of unknown age";
+  stamp_ -= kPeriod;
+  EXPECT_EQ(see(bare(floorSeenFrom(1.0, 0.4))).status, FloorStatus::kFound) << "it is in this very frame";
+  EXPECT_EQ(see(wall()).status, FloorStatus::kHeld) << "time passes again";
+  stamp_ -= kPeriod;
+  EXPECT_EQ(see(wall()).status, FloorStatus::kNotFound);
+}
+
 TEST_F(FloorTrackerTest, ResetForgetsTheFloor)
 {
   see(bare(floorSeenFrom(0.8, 0.5)), 10);

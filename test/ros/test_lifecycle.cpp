@@ -10,6 +10,7 @@
 #include <atomic>
 #include <thread>
 
+#include "clouds.hpp"
 #include "polygonal_perception/PolygonArray.h"
 #include "polygonal_perception/ros/polygonal_perception_ros.hpp"
 
@@ -17,38 +18,6 @@ namespace polygonal_perception {
 namespace {
 
 constexpr int kLives = 60;
-
-sensor_msgs::PointCloud2ConstPtr floorCloud(ros::Time stamp)
-{
-  constexpr std::uint32_t kWidth = 64;
-  constexpr std::uint32_t kHeight = 48;
-  auto cloud = boost::make_shared<sensor_msgs::PointCloud2>();
-  cloud->header.stamp = stamp;
-  cloud->header.frame_id = "camera_depth_optical_frame";
-  cloud->width = kWidth;
-  cloud->height = kHeight;
-  cloud->point_step = 3 * sizeof(float);
-  cloud->row_step = kWidth * cloud->point_step;
-  for (const char* name : {"x", "y", "z"}) {
-    sensor_msgs::PointField field;
-    field.name = name;
-    field.offset = static_cast<std::uint32_t>(cloud->fields.size() * sizeof(float));
-    field.datatype = sensor_msgs::PointField::FLOAT32;
-    field.count = 1;
-    cloud->fields.push_back(field);
-  }
-  cloud->data.resize(cloud->height * cloud->row_step);
-  auto* point = reinterpret_cast<float*>(cloud->data.data());
-  for (std::uint32_t v = 0; v < kHeight; ++v) {
-    for (std::uint32_t u = 0; u < kWidth; ++u, point += 3) {
-      const float depth = 1.0F / (0.1F + 0.02F * static_cast<float>(v));
-      point[0] = (static_cast<float>(u) - 31.5F) / 60.0F * depth;
-      point[1] = 1.0F;
-      point[2] = depth;
-    }
-  }
-  return cloud;
-}
 
 /// A thread that serves a queue, one callback at a time, while another one takes the node down: as a nodelet
 /// manager does.

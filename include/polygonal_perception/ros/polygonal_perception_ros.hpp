@@ -51,6 +51,7 @@ private:
   void onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void advertiseReset();
   void startDiagnostics();
+  void report();
   void updateSubscription();
   void subscribe();
   void unsubscribe();

@@ -1,0 +1,23 @@
+#include "diagnostic_period.hpp"
+
+#include <ros/console.h>
+
+#include "polygonal_perception/parameter_check.hpp"
+
+namespace polygonal_perception {
+
+void ensureDiagnosticPeriod(const ros::NodeHandle& private_handle)
+{
+  constexpr char kName[] = "diagnostic_period";
+  constexpr Range kRange{0.01, 3600.0};
+  constexpr double kDefault = 1.0;  // diagnostic_updater's
+  double period = kDefault;
+  private_handle.getParamCached(kName, period);
+  // Written so that NaN fails.
+  if (period >= kRange.min && period <= kRange.max) return;
+  ROS_ERROR_STREAM("parameter " << private_handle.resolveName(kName) << " is " << period << ", accepted is "
+                                << rangeText(kRange, "s") << "; it becomes " << kDefault);
+  private_handle.setParam(kName, kDefault);
+}
+
+}  // namespace polygonal_perception
