@@ -17,7 +17,7 @@
 namespace polygonal_perception {
 namespace {
 
-constexpr int kLives = 60;
+constexpr int kLives = 60;  // unless ~lives says otherwise
 
 /// A thread that serves a queue, one callback at a time, while another one takes the node down: as a nodelet
 /// manager does.
@@ -71,7 +71,8 @@ TEST(Lifecycle, EndsCleanlyWhileFramesReadersAndCallsArrive)
   handle.setCallbackQueue(&worker.queue());
   ros::NodeHandle private_handle(handle, "perception");
   private_handle.setCallbackQueue(&worker.queue());
-  for (int life = 0; life < kLives; ++life) {
+  const int lives = ros::param::param("~lives", kLives);
+  for (int life = 0; life < lives; ++life) {
     private_handle.setParam("lazy", life % 2 == 0);
     const PolygonalPerceptionRos perception(handle, private_handle);
     const int before = answers;

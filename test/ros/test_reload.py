@@ -1,60 +1,171 @@
 #!/usr/bin/env python3
-"""The nodelet comes and goes in a manager that lives on, while frames arrive."""
+"""Nodelets come and go, are changed and misused in a manager that lives on, while frames arrive."""
 import sys
 import threading
 import unittest
 
+import dynamic_reconfigure.client
 import rospy
 import rostest
-from nodelet.srv import NodeletLoad, NodeletList, NodeletUnload
+from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
 
 import scene
 from node_client import DEADLINE, FOUND, Clock, NodeClient
+from polygonal_perception.msg import FloorPlane
 
-LIVES = 15
+NODE, OTHER = '/polygonal_perception', '/other_perception'
+CAMERA = '/camera/depth/points'
+# Of wrong types and out of all ranges.
+BAD_VALUES = ['', 'much', -1, 0, 10 ** 9, -1e300, 1e300, float('inf'), float('nan'), True, [], [1, 2], [0, 0, 0], {'a': {'b': 1}}]
 
 
 class ReloadTest(unittest.TestCase):
-    def test_every_life_ends_cleanly(self):
-        services = {}
+    @classmethod
+    def setUpClass(cls):
+        cls.services = {}
         for name, kind in (('load_nodelet', NodeletLoad), ('unload_nodelet', NodeletUnload), ('list', NodeletList)):
             rospy.wait_for_service('/manager/' + name, DEADLINE)
-            services[name] = rospy.ServiceProxy('/manager/' + name, kind)
-        client = NodeClient(outputs=(), runs=False)
-        client.read('polygons')
-        client.read('floor')
-        camera, clock = scene.Camera(), Clock()
-        depth = camera.render([scene.Box((1.82, 2.22), (-0.38, 0.12), (0, 0.3))])
-        running = threading.Event()
-        running.set()
+            cls.services[name] = rospy.ServiceProxy('/manager/' + name, kind)
+        cls.client = NodeClient(outputs=(), runs=False)
+        cls.camera, cls.clock = scene.Camera(), Clock()
+        cls.cloud = cls.camera.cloud(cls.camera.render([scene.Box((1.82, 2.22), (-0.38, 0.12), (0, 0.3))]), cls.clock.now)
+        cls.running = threading.Event()
+        cls.running.set()
+        cls.publisher = threading.Thread(target=cls.publish)
+        cls.publisher.start()
 
-        def publish():
-            while running.is_set():
-                client.send(camera.cloud(depth, clock.tick()))
+    @classmethod
+    def tearDownClass(cls):
+        cls.running.clear()
+        cls.publisher.join()
 
-        publisher = threading.Thread(target=publish)
-        publisher.start()
+    def tearDown(self):
+        for name in self.services['list']().nodelets:
+            self.services['unload_nodelet'](name=name)
+
+    @classmethod
+    def publish(cls):
+        rate = rospy.Rate(30)
+        while cls.running.is_set():
+            cls.cloud.header.stamp = cls.clock.tick()
+            cls.client.send(cls.cloud)
+            rate.sleep()
+
+    def load(self, name=NODE):
+        loaded = self.services['load_nodelet'](name=name, type='polygonal_perception/PolygonalPerception', my_argv=[],
+                                               bond_id='', remap_source_args=['/points'], remap_target_args=[CAMERA])
+        self.assertTrue(loaded.success)
+        self.assertIn(name, self.services['list']().nodelets)
+
+    def unload(self, name=NODE):
+        self.assertTrue(self.services['unload_nodelet'](name=name).success)
+        self.assertNotIn(name, self.services['list']().nodelets)
+
+    def wait_for_floors(self, count=1, what='a floor', status=(FOUND,)):
+        """Waits for answers to frames from now on, with a fresh reader: rospy may have missed that the topic was away."""
+        self.client.answers.clear()
+        self.client.read('floor')
+        begin = self.clock.now.to_nsec()
+        self.client.wait_for(lambda: sum(k > begin and 'floor' in a and a['floor'].status in status
+                                         for k, a in self.client.answers.items()) >= count, what)
+        self.client.stop_reading('floor')
+
+    def test_every_life_ends_cleanly(self):
+        self.client.read('polygons')
+        for life in range(rospy.get_param('~lives')):
+            self.load()
+            if life % 3 == 2:
+                # It lives until it has answered; the others end at once.
+                self.wait_for_floors(what='a floor in life %d' % life)
+            self.unload()
+        self.client.stop_reading('polygons')
+
+    def test_two_in_one_manager(self):
+        rospy.set_param(OTHER + '/floor_frame', 'other_floor')
+        self.load()
+        self.load(OTHER)
+        stamps = set()
+        other = rospy.Subscriber(OTHER + '/floor', FloorPlane, lambda m: stamps.add(m.header.stamp))
+        self.client.wait_for(lambda: stamps, 'the other one')
+        self.wait_for_floors()
+        self.unload()
+        before = len(stamps)
+        self.client.wait_for(lambda: len(stamps) > before + 5, 'the other one to go on alone')
+        self.unload(OTHER)
+        other.unregister()
+
+    def test_a_reader_that_does_not_read_holds_nobody_up(self):
+        self.load()
+        read_on = threading.Event()
+        slow = [rospy.Subscriber(NODE + '/' + name, rospy.AnyMsg, lambda _: read_on.wait())
+                for name in ('occupancy_grid', 'inflated_grid', 'markers', 'obstacle_points', 'samples')]
+        self.client.wait_for(lambda: all(s.get_num_connections() > 0 for s in slow), 'the slow readers')
+        self.wait_for_floors(60, 'floors beside readers that do not read')
+        self.unload()
+        read_on.set()
+        for reader in slow:
+            reader.unregister()
+
+    def test_reconfigured_all_the_time(self):
+        self.load()
+        client = dynamic_reconfigure.client.Client(NODE, timeout=DEADLINE)
+        hammering = threading.Event()
+        hammering.set()
+        sets = [dict(grid_resolution=0.02), dict(samples_x=64, samples_y=16), dict(robot_radius=-1.0), dict(max_height=0.0),
+                dict(grid_length=2.0, grid_width=8.0), dict(samples_x=32, samples_y=32, robot_radius=0.5), dict(floor_timeout=0.0),
+                dict(grid_resolution=0.05, grid_length=5.0, grid_width=5.0, robot_radius=0.3), dict(floor_timeout=0.5)]
+        count = [0]
+
+        def hammer():
+            while hammering.is_set():
+                client.update_configuration(sets[count[0] % len(sets)])
+                count[0] += 1
+
+        thread = threading.Thread(target=hammer)
+        thread.start()
         try:
-            for life in range(LIVES):
-                loaded = services['load_nodelet'](name='/polygonal_perception', my_argv=[], bond_id='',
-                                                  type='polygonal_perception/PolygonalPerception',
-                                                  remap_source_args=['/points'], remap_target_args=['/camera/depth/points'])
-                self.assertTrue(loaded.success)
-                if life % 3 == 2:
-                    # It lives until it has answered; the others end at once.
-                    # A fresh reader, since rospy may have missed that the topic was away for a moment.
-                    client.stop_reading('floor')
-                    client.read('floor')
-                    begin = clock.now.to_nsec()
-                    client.wait_for(lambda: any(k > begin and a['floor'].status == FOUND
-                                                for k, a in client.answers.items() if 'floor' in a),
-                                    'a floor in life %d' % life)
-                self.assertEqual(list(services['list']().nodelets), ['/polygonal_perception'])
-                self.assertTrue(services['unload_nodelet'](name='/polygonal_perception').success)
-                self.assertEqual(list(services['list']().nodelets), [])
+            self.client.read('polygons')
+            self.wait_for_floors(60, 'floors between changes')
+            self.client.wait_for(lambda: count[0] > 2 * len(sets), 'the changes')
         finally:
-            running.clear()
-            publisher.join()
+            hammering.clear()
+            thread.join()
+            self.client.stop_reading('polygons')
+            client.close()
+        self.unload()
+
+    def test_no_parameter_keeps_it_from_starting(self):
+        self.load()
+        names = [name.rsplit('/', 1)[1] for name in rospy.get_param_names() if name.startswith(NODE + '/')]
+        self.assertGreater(len(names), 15)
+        self.unload()
+        names += ['input', 'floor_frame', 'output_frame', 'up_frame', 'initial_up', 'up_feedback', 'publish_tf', 'lazy',
+                  'tf_timeout', 'diagnostic_period', 'disable_pub_plugins']
+        for shift, _ in enumerate(BAD_VALUES):
+            rospy.delete_param(NODE)
+            for i, name in enumerate(names):
+                rospy.set_param(NODE + '/' + name, BAD_VALUES[(i + shift) % len(BAD_VALUES)])
+            # Those two may name a frame that nobody knows: the answer is then that there is no floor.
+            self.load()
+            if rospy.get_param(NODE + '/input') != 'depth':
+                self.wait_for_floors(1, 'an answer whatever the parameters', status=(FOUND, FloorPlane.NOT_FOUND))
+            self.unload()
+        rospy.delete_param(NODE)
+
+    def test_the_camera_goes_away_and_comes_back_with_another_size(self):
+        self.load()
+        self.wait_for_floors()
+        self.running.clear()
+        self.publisher.join()
+        self.client.publishers[0].unregister()
+        small = scene.Camera(width=80, rows=60, focal_length=71.0)
+        type(self).cloud = small.cloud(small.render(), self.clock.tick())
+        self.client.publishers[0] = rospy.Publisher(CAMERA, type(self.cloud), queue_size=10)
+        type(self).publisher = threading.Thread(target=self.publish)
+        self.running.set()
+        self.publisher.start()
+        self.wait_for_floors(5, 'floors of the new camera')
+        self.unload()
 
 
 if __name__ == '__main__':

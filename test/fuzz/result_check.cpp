@@ -1,0 +1,42 @@
+#include "result_check.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace polygonal_perception {
+
+void require(bool holds, const char* what)
+{
+  if (holds) return;
+  std::fprintf(stderr, "this does not hold: %s\n", what);
+  std::abort();
+}
+
+void requireSound(const Pipeline::Result& result)
+{
+  if (result.floor.status != FloorStatus::kNotFound) {
+    const Plane& plane = result.floor.floor.plane;
+    require(std::abs(plane.normal.norm() - 1.0) < 1e-6, "the floor's normal has unit length");
+    require(std::isfinite(plane.distance), "the floor's distance is finite");
+    require(result.floor.age >= 0.0, "a floor is not younger than now");
+    require(result.to_floor_frame.matrix().allFinite(), "the floor frame is finite");
+  } else {
+    require(result.occupancy.count() == 0 && result.polygons.rings.empty(), "without a floor no obstacles");
+  }
+  const auto& occupied = result.occupancy.cells();
+  const auto& inflated = result.inflated.cells();
+  require(occupied.size() == inflated.size(), "both grids have the same size");
+  for (std::size_t k = 0; k < occupied.size(); ++k) {
+    require(occupied[k] <= inflated[k], "an occupied cell is inflated");
+  }
+  for (const PolygonSet::Ring& ring : result.polygons.rings) {
+    require(ring.size >= 3, "a ring has three vertices");
+    require(ring.first + ring.size <= result.polygons.vertices.size(), "a ring has its vertices");
+  }
+  for (const Eigen::Vector2d& vertex : result.polygons.vertices) {
+    require(vertex.allFinite(), "a vertex is finite");
+  }
+}
+
+}  // namespace polygonal_perception

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "polygonal_perception/pipeline.hpp"
+
+namespace polygonal_perception {
+
+/// Ends the program, as the fuzzer wants it, when `holds` is false.
+void require(bool holds, const char* what);
+
+/// What holds of the result of every frame, whatever it showed.
+void requireSound(const Pipeline::Result& result);
+
+}  // namespace polygonal_perception
