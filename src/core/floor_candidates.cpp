@@ -134,7 +134,7 @@ std::optional<Plane> FloorCandidates::planeOf(const SampleGrid& grid, const Segm
   return Plane{normal, -normal.dot(point) / segment.size};
 }
 
-void FloorCandidates::examine(Plane hypothesis, const FloorDetector::Parameters& parameters,
+void FloorCandidates::examine(const Plane& hypothesis, const FloorDetector::Parameters& parameters,
                               const FloorPrior& prior)
 {
   constexpr int kRounds = 2;

@@ -51,7 +51,7 @@ private:
   std::optional<Plane> planeOf(const SampleGrid& grid, const Segmentation::Segment& segment,
                                const FloorPrior& prior) const;
   bool known(const SampleGrid& grid, const Segmentation::Segment& segment) const;
-  void examine(Plane hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
+  void examine(const Plane& hypothesis, const FloorDetector::Parameters& parameters, const FloorPrior& prior);
 
   Segmentation segmentation_;
   NoisyPoints samples_;                      // those with a point
