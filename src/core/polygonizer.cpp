@@ -21,14 +21,24 @@ namespace {
 constexpr double kDiscretisation = 1.5;
 /// [cells] From this tolerance on, gaps are closed: small obstacles stand close together for it.
 constexpr double kLeastToClose = 2.0;
-/// [cells] A vertex is worth the area of a cell, and with larger tolerances this many times their square.
-/// doc/polygons.md has what follows from it.
-constexpr double kAreaOfTolerance = 3.0;
+/// The area that a vertex is worth, in squares of the tolerance: less where the radius is many times the
+/// tolerance, because outlines are long there and small additions along them sum up. doc/polygons.md has what
+/// follows from it.
+constexpr double kMostArea = 3.0;
+constexpr double kLeastArea = 1.5;
+constexpr double kLessPerRadius = 0.25;  // for each time that the radius is the tolerance
 /// [cells] How far the steps of a slanted outline stray from a line. Contours through the centres of cells,
 /// which the contract counts on, have no such steps.
 constexpr double kSteps = 0.65;
 /// Up to so many times the estimate there are few enough vertices: about as many as Douglas-Peucker leaves.
-constexpr double kEnough = 1.4;
+constexpr double kEnough = 1.35;
+
+/// [cells] The area that may be added to save a vertex: that of a cell at least.
+double worthOfVertex(double radius, double tolerance)
+{
+  const double squared = tolerance * tolerance;
+  return std::max({1.0, kLeastArea * squared, kMostArea * squared - kLessPerRadius * radius * tolerance});
+}
 
 }  // namespace
 
@@ -110,9 +120,9 @@ void Polygonizer::polygonize(const BinaryGrid& occupancy, const BinaryGrid& infl
   work.proximity.setCells(work.occupied, work.inflated);
   const std::size_t estimate = estimateVertices(work.outlines, tolerance + kSteps);
   work.bridging.bridge(work.inflated, work.proximity, work.outlines);
-  work.simplification.simplify(
-      geometry.cells_x, geometry.cells_y, std::max(1.0, kAreaOfTolerance * tolerance * tolerance),
-      static_cast<std::size_t>(kEnough * static_cast<double>(estimate)), work.proximity, work.outlines);
+  work.simplification.simplify(geometry.cells_x, geometry.cells_y, worthOfVertex(radius, tolerance),
+                               static_cast<std::size_t>(kEnough * static_cast<double>(estimate)),
+                               work.proximity, work.outlines);
   work.writePolygons(geometry, polygons);
 }
 
