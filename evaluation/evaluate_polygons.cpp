@@ -58,6 +58,7 @@ std::vector<double> mediansOf(Subjects& subjects, Work&& work)
       times[m].push_back(microsecondsOf([&] { work(*subjects[m]); }));
   }
   std::vector<double> medians;
+  medians.reserve(times.size());
   for (auto& values : times) medians.push_back(quantile(values, 0.5));
   return medians;
 }
