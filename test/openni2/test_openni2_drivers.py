@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """openni2.launch with each of its drivers, on the virtual device, and the choice between them."""
+import functools
 import os
 import shutil
 import subprocess
@@ -10,7 +11,7 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
-from nodelet.srv import NodeletList
+from nodelet.srv import NodeletList, NodeletLoad
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tf2_msgs.msg import TFMessage
 
@@ -39,7 +40,31 @@ projection_matrix: {rows: 3, cols: 4, data: [280.0, 0, 161.0, 0, 0, 281.0, 121.0
 '''
 
 
+def loads(nodelet):
+    """Whether a nodelet of another package can be loaded at all."""
+    with Started('rosrun', 'nodelet', 'nodelet', 'manager', '__name:=probe'):
+        rospy.wait_for_service('/probe/load_nodelet', DEADLINE)
+        try:
+            return rospy.ServiceProxy('/probe/load_nodelet', NodeletLoad)(name='/probed', type=nodelet).success
+        except rospy.ServiceException:
+            return False
+
+
+def needs_image_nodelets(test):
+    """Debian 11 describes the nodelets of depth_image_proc and image_proc so that nobody finds their library."""
+    @functools.wraps(test)
+    def checked(self):
+        if not self.has_image_nodelets:
+            self.skipTest('the nodelets of depth_image_proc do not load')
+        test(self)
+    return checked
+
+
 class OpenNI2DriversTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.has_image_nodelets = loads('depth_image_proc/point_cloud_xyz')
+
     def setUp(self):
         runtime = rospy.get_param('~runtime')
         plug = os.path.join(runtime, 'plug_of_drivers')
@@ -102,6 +127,7 @@ class OpenNI2DriversTest(unittest.TestCase):
     def is_stand_in(self):
         return '/camera/depth_metric_rect' in self.nodelets()
 
+    @needs_image_nodelets
     def test_builtin(self):
         self.launch(driver='builtin', depth_mode=8)
         self.check_polygons()
@@ -114,6 +140,7 @@ class OpenNI2DriversTest(unittest.TestCase):
         self.launch(driver='builtin', depth_mode=8, depth_registration='true')
         self.check_polygons(frame='camera_rgb_optical_frame')
 
+    @needs_image_nodelets
     def test_builtin_with_a_calibration(self):
         with tempfile.TemporaryDirectory() as folder:
             with open(os.path.join(folder, 'depth_VIRTUAL0001.yaml'), 'w') as file:
@@ -125,23 +152,27 @@ class OpenNI2DriversTest(unittest.TestCase):
         self.assertEqual(info.D[0], 0.01)
         self.assertEqual(info.header.frame_id, 'camera_depth_optical_frame')
 
+    @needs_image_nodelets
     def test_openni2_launch(self):
         self.install_stand_in()
         self.launch(driver='openni2_launch', depth_mode=8)
         self.check_polygons()
         self.assertTrue(self.is_stand_in())
 
+    @needs_image_nodelets
     def test_openni2_launch_in_metres(self):
         self.install_stand_in()
         self.launch(driver='openni2_launch', depth_mode=8, image='camera/depth/image_rect')
         self.check_polygons()
         self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '32FC1')
 
+    @needs_image_nodelets
     def test_openni2_launch_with_clouds(self):
         self.install_stand_in()
         self.launch(driver='openni2_launch', depth_mode=8, input='cloud')
         self.check_polygons()
 
+    @needs_image_nodelets
     def test_auto_takes_openni2_launch_where_it_is_installed(self):
         self.install_stand_in()
         self.launch(depth_mode=8)
@@ -175,6 +206,7 @@ class OpenNI2DriversTest(unittest.TestCase):
         answer = client.wait_for(lambda: list(client.answers.values()), 'polygons', 60.0)[0]
         self.assertEqual(answer['polygons'].header.frame_id, 'odom')
 
+    @needs_image_nodelets
     def test_a_driver_that_is_started_later(self):
         self.launch(start_driver='false')
         self.install_stand_in()
