@@ -155,6 +155,7 @@ void FloorCandidates::examine(const Plane& hypothesis, const FloorDetector::Para
     const auto solution = fit.solve(prior.up);
     if (!solution) return;
     candidate.plane = solution->plane;
+    candidate.away = solution->plane.normal.cross(solution->centre).norm();
   }
 
   const Plane& plane = candidate.plane;
@@ -169,7 +170,7 @@ void FloorCandidates::examine(const Plane& hypothesis, const FloorDetector::Para
     return;
   }
   if (plane.distance > parameters.max_camera_height) {
-    if (too_low_.size() < kMostCandidates) too_low_.push_back(plane);
+    if (too_low_.size() < kMostCandidates) too_low_.push_back(candidate);
     return;
   }
   candidate.lowest = isLowest(plane, candidate.tally, parameters);

@@ -60,7 +60,8 @@ private:
   std::vector<std::uint32_t> by_size_;
   std::vector<std::uint32_t> picked_;
   std::vector<FloorCandidate> candidates_;
-  std::vector<Plane> too_low_;    // level planes lower than the camera can stand on, and steps above them
+  /// Level planes lower than the camera can stand on, and steps above them.
+  std::vector<FloorCandidate> too_low_;
   double lowest_possible_ = 0.0;  // [m] below which a floor may have points under it
 };
 

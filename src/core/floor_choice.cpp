@@ -9,13 +9,14 @@ namespace polygonal_perception {
 namespace {
 
 /// How much higher a plane is [m], where it may be the next step of a staircase.
-std::optional<double> rise(const Plane& lower, const Plane& upper)
+std::optional<double> rise(const FloorCandidate& lower, const FloorCandidate& upper)
 {
   constexpr double kLeastRise = 0.1;  // [m]
   constexpr double kMostRise = 0.25;  // [m]
   constexpr double kParallel = 0.1;   // [rad] 6 degrees
-  const double rise = lower.distance - upper.distance;
-  if (rise < kLeastRise || rise > kMostRise || angleBetween(lower.normal, upper.normal) > kParallel) {
+  const double rise = lower.plane.distance - upper.plane.distance;
+  if (rise < kLeastRise || rise > kMostRise || lower.away < upper.away ||
+      angleBetween(lower.plane.normal, upper.plane.normal) > kParallel) {
     return std::nullopt;
   }
   return rise;
@@ -51,21 +52,21 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-void passOverSteps(std::vector<FloorCandidate>& candidates, std::vector<Plane>& too_low)
+void passOverSteps(std::vector<FloorCandidate>& candidates, std::vector<FloorCandidate>& too_low)
 {
   constexpr double kSameRise = 0.03;  // [m]
   for (std::size_t k = 0; k < too_low.size(); ++k) {
-    const Plane lower = too_low[k];
+    const FloorCandidate lower = too_low[k];
     for (FloorCandidate& step : candidates) {
-      const auto rise_to_step = rise(lower, step.plane);
+      const auto rise_to_step = rise(lower, step);
       if (!rise_to_step || step.refused) continue;
       for (FloorCandidate& upper : candidates) {
-        const auto rise_from_step = rise(step.plane, upper.plane);
+        const auto rise_from_step = rise(step, upper);
         if (!rise_from_step || std::abs(*rise_from_step - *rise_to_step) > kSameRise) continue;
         step.refused = true;
         upper.above_steps = true;
       }
-      if (step.refused) too_low.push_back(step.plane);
+      if (step.refused) too_low.push_back(step);
     }
   }
 }

@@ -16,6 +16,7 @@ struct FloorCandidate
 {
   Plane plane;
   NoisyPoints::Tally tally;   // of the samples
+  double away = 0.0;          // [m] from the camera to the middle of its samples, along the plane
   double tilt = 0.0;          // [rad] from the up vector
   double disagreement = 0.0;  // [rad] between its normal and the mean of its samples' normals
   bool lowest = false;        // hardly a sample lies below it
@@ -27,10 +28,11 @@ struct FloorCandidate
 
 /// Takes no step of a staircase that leads down for the floor. A step may lie at a height that the camera can
 /// have, but the next one below it, by the same rise, does not, and the next one above it is a plane too.
+/// Each lower one lies farther away: what a shiny floor mirrors of something low that stands on it does not.
 /// @param candidates  steps among them are refused, and what they lead down from is marked
 /// @param too_low     the level planes of the frame that lie lower than the camera can stand on; steps are
 /// added
-void passOverSteps(std::vector<FloorCandidate>& candidates, std::vector<Plane>& too_low);
+void passOverSteps(std::vector<FloorCandidate>& candidates, std::vector<FloorCandidate>& too_low);
 
 /// The most likely floor among the candidates that are not refused, or nullptr.
 /// @param lowest_possible  [m] a floor that lies deeper under the camera may have points below it

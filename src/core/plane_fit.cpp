@@ -24,7 +24,8 @@ std::optional<PlaneFit::Result> PlaneFit::solve(const Eigen::Vector3d& up) const
   Result result;
   Eigen::Vector3d normal = eigen.eigenvectors().col(0).normalized();
   if (normal.dot(up) < 0.0) normal = -normal;
-  result.plane = {normal, -normal.dot(origin_ + mean)};
+  result.centre = origin_ + mean;
+  result.plane = {normal, -normal.dot(result.centre)};
   const double variance = std::max(0.0, normal.dot(scatter * normal));
   result.rms_error = std::sqrt(variance);
   result.normal_sigma =

@@ -16,7 +16,8 @@ public:
   struct Result
   {
     Plane plane;
-    double rms_error = 0.0;  ///< [m] weighted root mean square distance
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< weighted mean of the points
+    double rms_error = 0.0;                            ///< [m] weighted root mean square distance
     /// [rad] how far the normal may be off, one standard deviation; neighbouring points err together.
     double normal_sigma = 0.0;
   };

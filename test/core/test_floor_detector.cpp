@@ -212,6 +212,28 @@ TEST(FloorDetector, ABoxUponTheFloorIsNoStairHoweverDeepTheHoleBesideIt)
   EXPECT_NEAR(found->plane.distance, own.distance, 0.01);
 }
 
+TEST(FloorDetector, WhatAShinyFloorMirrorsIsNoStepBelowIt)
+{
+  // A low shelf stands on the floor, which shows its mirror image as far below.
+  constexpr double kHeight = 1.2;
+  constexpr double kShelf = 0.14;
+  const Plane own = floorSeenFrom(kHeight, 0.7);
+  const Eigen::Vector3d ahead(0.0, -std::sin(0.7), std::cos(0.7));
+  const auto in_shelf = [&](const Eigen::Vector3d& p) {
+    return ahead.dot(p) > 0.9 && ahead.dot(p) < 1.7 && p.x() > -0.2 && p.x() < 0.8;
+  };
+  const double deeper = (kHeight + kShelf) / kHeight;  // where a ray through the floor meets the image
+  PlaneScene scene(320, 240, 285.0, 0.002);
+  scene.add(raised(own, -kShelf), in_shelf);
+  scene.add(own, [&](const Eigen::Vector3d& p) { return !in_shelf(deeper * p); });
+  scene.add(raised(own, kShelf), in_shelf);
+  FloorDetector::Parameters parameters;
+  parameters.max_camera_height = kHeight + 0.1;
+  const auto found = detect(scene, seed(), parameters);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, kHeight, 0.01);
+}
+
 TEST(FloorDetector, LabelsSayWhatBecameOfEachSample)
 {
   const Plane floor = floorSeenFrom(1.0, 0.6);
