@@ -44,8 +44,11 @@ void FrameStatistics::received(std::uint32_t sequence, Clock::time_point now)
 {
   ++recent_received_;
   last_frame_ = now;
-  // Publishers in the same process need not count; a lower number is another publisher or a restarted one.
-  if (last_sequence_ != 0 && sequence > last_sequence_) dropped_ += sequence - last_sequence_ - 1;
+  // Publishers in the same process need not count, and say the same number again; a lower one is that of
+  // another publisher or of a restarted one.
+  if (sequence == last_sequence_) sequence_counts_ = false;
+  if (sequence_counts_ && last_sequence_ && sequence > *last_sequence_)
+    dropped_ += sequence - *last_sequence_ - 1;
   last_sequence_ = sequence;
 }
 
@@ -70,7 +73,8 @@ void FrameStatistics::rejected(const std::string& reason)
 
 void FrameStatistics::interrupt()
 {
-  last_sequence_ = 0;
+  last_sequence_.reset();
+  sequence_counts_ = true;
   last_frame_ = Clock::now();
 }
 

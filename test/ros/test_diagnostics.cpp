@@ -121,11 +121,19 @@ TEST_F(DiagnosticsTest, RejectedFramesAreAnErrorWhenAllAre)
 
 TEST_F(DiagnosticsTest, APublisherThatDoesNotCountOrStartsAgainDropsNothing)
 {
-  for (const std::uint32_t sequence : {0U, 0U, 7U, 8U, 3U, 4U}) statistics_.received(sequence, start_);
+  for (const std::uint32_t sequence : {7U, 8U, 3U, 4U, 0U, 0U, 90U}) statistics_.received(sequence, start_);
   EXPECT_EQ(statistics_.droppedCount(), 0U);
   statistics_.interrupt();
-  statistics_.received(90, start_);
+  statistics_.received(95, start_);
   EXPECT_EQ(statistics_.droppedCount(), 0U) << "frames that nobody wanted are not dropped";
+  statistics_.received(97, start_);
+  EXPECT_EQ(statistics_.droppedCount(), 1U) << "the publisher after the interruption may count";
+}
+
+TEST_F(DiagnosticsTest, TheGapAfterThePublishersFirstFrameIsCounted)
+{
+  for (const std::uint32_t sequence : {0U, 26U}) statistics_.received(sequence, start_);
+  EXPECT_EQ(statistics_.droppedCount(), 25U);
 }
 
 }  // namespace

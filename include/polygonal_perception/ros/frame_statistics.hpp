@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "polygonal_perception/pipeline.hpp"
@@ -85,7 +86,8 @@ private:
   std::array<DurationStatistics, kStageCount> stages_;
   Clock::time_point report_start_ = Clock::now();
   Clock::time_point last_frame_ = Clock::now();
-  std::uint32_t last_sequence_ = 0;
+  std::optional<std::uint32_t> last_sequence_;  // roscpp's first one is 0
+  bool sequence_counts_ = true;                 // the publisher numbers its frames
 };
 
 }  // namespace polygonal_perception
