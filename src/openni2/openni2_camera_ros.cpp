@@ -95,6 +95,7 @@ void OpenNI2CameraRos::onReaders()
 void OpenNI2CameraRos::onFrame(const DepthFrame& frame)
 {
   std_msgs::Header header;
+  header.seq = ++sequence_;
   header.frame_id = frame_id_;
   header.stamp.fromSec(clock_.toHost(frame.timestamp, ros::Time::now().toSec()));
   const sensor_msgs::ImageConstPtr image = toImage(frame, header);

@@ -3,6 +3,7 @@
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -39,6 +40,7 @@ private:
 
   std::mutex mutex_;  // of source_, which readers that come and go speak to
   std::string frame_id_;
+  std::uint32_t sequence_ = 0;  // of the last frame: roscpp numbers messages for other processes only
   DeviceClock clock_;
   std::unique_ptr<DepthCalibration> calibration_;
   image_transport::CameraPublisher raw_;

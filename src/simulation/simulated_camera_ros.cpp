@@ -120,6 +120,7 @@ void SimulatedCameraRos::publishFrame(const ros::Time& stamp)
 {
   const PinholeCamera& camera = camera_->options().camera;
   std_msgs::Header header;
+  header.seq = ++sequence_;
   header.stamp = stamp;
   header.frame_id = optical_frame_;
   if (raw_.getNumSubscribers() > 0 || rectified_.getNumSubscribers() > 0) {

@@ -5,6 +5,7 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -41,6 +42,7 @@ private:
 
   std::unique_ptr<SimulatedCamera> camera_;
   SimulatedFrame frame_;
+  std::uint32_t sequence_ = 0;  // of the last frame: roscpp numbers messages for other processes only
   double min_height_ = 0.03;  // [m] of the obstacles in the truth
   double max_height_ = 0.60;  // [m]
   bool publish_tf_ = true;
