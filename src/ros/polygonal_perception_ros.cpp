@@ -150,8 +150,19 @@ void PolygonalPerceptionRos::onCameraInfo(const sensor_msgs::CameraInfoConstPtr&
   processWaiting();
 }
 
+bool PolygonalPerceptionRos::isRepeated(const InputFrame& frame)
+{
+  const auto message = frame.message();
+  const bool repeated = !message.owner_before(last_message_) && !last_message_.owner_before(message);
+  last_message_ = message;
+  return repeated;
+}
+
 void PolygonalPerceptionRos::onFrame(const InputFrame& frame)
 {
+  // roscpp connects a publisher of the same process twice when it advertises while we subscribe, and then
+  // hands over each message twice.
+  if (isRepeated(frame)) return;
   checkClock();
   const std_msgs::Header& header = frame.header();
   if (header.stamp < last_stamp_) forgetTime("the frame's stamp is before the last one");
@@ -193,6 +204,7 @@ void PolygonalPerceptionRos::forgetTime(const std::string& reason)
   log_.warn("time", "time has jumped back (" + reason + "): starting anew");
   processor_->forgetTime();
   statistics_.interrupt();
+  statistics_.dropped(waiting_.size());
   waiting_.clear();
   last_stamp_ = ros::Time();
 }

@@ -26,6 +26,10 @@ struct InputFrame
   sensor_msgs::ImageConstPtr image;
 
   const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
+  boost::shared_ptr<const void> message() const
+  {
+    return cloud ? boost::shared_ptr<const void>(cloud) : boost::shared_ptr<const void>(image);
+  }
 };
 
 /// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the

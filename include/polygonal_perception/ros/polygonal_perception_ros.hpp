@@ -48,6 +48,7 @@ private:
   };
 
   void onFrame(const InputFrame& frame);
+  bool isRepeated(const InputFrame& frame);
   void onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void advertiseReset();
   void startDiagnostics();
@@ -71,6 +72,7 @@ private:
   std::unique_ptr<FrameProcessor> processor_;
 
   bool subscribed_ = false;
+  boost::weak_ptr<const void> last_message_;
   std::deque<WaitingFrame> waiting_;
   ros::Time last_stamp_;
   ros::Time last_now_;
