@@ -151,9 +151,11 @@ public:
     std::sort(delays.begin(), delays.end());
     std::printf("%zu frames sent, %zu answered, %zu twice, %zu answers to no frame\n", sent_.size(),
                 delays.size(), twice, unasked_);
-    std::printf("of the %zu others the node counts %s as dropped, %s as rejected\n",
-                sent_.size() - delays.size(), values_["Frames dropped"].c_str(),
-                values_["Frames rejected"].c_str());
+    std::printf(
+        "of the %zu others the node counts %s as dropped, %s as rejected; %u answers were lost on their "
+        "way\n",
+        sent_.size() - delays.size(), values_["Frames dropped"].c_str(), values_["Frames rejected"].c_str(),
+        lost_answers_);
     if (delays.empty()) return false;
     const auto quantile = [&](double share) {
       return 1e3 *
@@ -176,6 +178,8 @@ private:
   {
     const auto now = Clock::now();
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (last_answer_ != 0) lost_answers_ += polygons->header.seq - last_answer_ - 1;
+    last_answer_ = polygons->header.seq;
     const auto frame = sent_.find(polygons->header.stamp);
     if (frame == sent_.end()) {
       ++unasked_;
@@ -197,6 +201,8 @@ private:
   std::map<ros::Time, Sent> sent_;
   std::map<std::string, std::string> values_;
   std::size_t unasked_ = 0;
+  std::uint32_t last_answer_ = 0;  // the number that its publisher gave to it
+  std::uint32_t lost_answers_ = 0;
   ros::NodeHandle node_;
   ros::Subscriber polygons_;
   ros::Subscriber diagnostics_;
