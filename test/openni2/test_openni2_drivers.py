@@ -138,7 +138,6 @@ class OpenNI2DriversTest(unittest.TestCase):
         self.assertEqual(self.next_message('/camera/depth/points', PointCloud2).width, 320)
 
     def test_builtin_registered(self):
-        self.environment['POLYGONAL_PERCEPTION_VIRTUAL_REGISTERS'] = '1'
         self.launch(driver='builtin', depth_mode=8, depth_registration='true')
         self.check_polygons(frame='camera_rgb_optical_frame')
 
@@ -157,9 +156,16 @@ class OpenNI2DriversTest(unittest.TestCase):
     @needs_image_nodelets
     def test_openni2_launch(self):
         self.install_stand_in()
-        self.launch(driver='openni2_launch', depth_mode=8)
+        self.launch(driver='openni2_launch', depth_mode=11)
         self.check_polygons()
         self.assertTrue(self.is_stand_in())
+        self.assertEqual(self.next_message('/camera/depth/image_raw', Image).width, 160)
+
+    @needs_image_nodelets
+    def test_openni2_launch_registered(self):
+        self.install_stand_in()
+        self.launch(driver='openni2_launch', depth_mode=8, depth_registration='true')
+        self.check_polygons(frame='camera_rgb_optical_frame')
 
     @needs_image_nodelets
     def test_openni2_launch_in_metres(self):
@@ -177,9 +183,10 @@ class OpenNI2DriversTest(unittest.TestCase):
     @needs_image_nodelets
     def test_auto_takes_openni2_launch_where_it_is_installed(self):
         self.install_stand_in()
-        self.launch(depth_mode=8)
+        self.launch(depth_mode=11)
         self.check_polygons()
         self.assertTrue(self.is_stand_in())
+        self.assertEqual(self.next_message('/camera/depth/image_raw', Image).width, 160)
 
     def test_auto_takes_the_builtin_one_else(self):
         self.launch(depth_mode=8)
@@ -188,7 +195,7 @@ class OpenNI2DriversTest(unittest.TestCase):
 
     def test_auto_takes_the_one_that_runs(self):
         self.install_stand_in()
-        self.launch(package='openni2_launch', depth_mode=8)
+        self.launch(package='openni2_launch')
         rospy.wait_for_service(MANAGER + '/list', 30.0)
         output = subprocess.check_output([sys.executable, CHOICE, 'camera:=camera'],
                                          env=dict(os.environ, **self.environment), universal_newlines=True)
@@ -212,7 +219,7 @@ class OpenNI2DriversTest(unittest.TestCase):
     def test_a_driver_that_is_started_later(self):
         self.launch(start_driver='false')
         self.install_stand_in()
-        self.launch(package='openni2_launch', depth_mode=8)
+        self.launch(package='openni2_launch')
         self.check_polygons()
 
 
