@@ -9,9 +9,8 @@ namespace {
 
 sensor_msgs::CameraInfo pinhole(const DepthFrame& frame)
 {
-  // Pixel centres lie at integers.
-  const double cx = 0.5 * (frame.width - 1.0);
-  const double cy = 0.5 * (frame.height - 1.0);
+  const double cx = frame.center_x;
+  const double cy = frame.center_y;
   const double f = frame.focal_length;
   sensor_msgs::CameraInfo info;
   info.width = frame.width;

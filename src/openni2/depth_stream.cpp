@@ -9,6 +9,12 @@ namespace polygonal_perception {
 namespace openni2 {
 namespace {
 
+/// [px at VGA] PrimeSense's sensors correlate in a window of about 9x9 pixels, which moves their depth image
+/// against the infrared one by half of it (http://wiki.ros.org/kinect_calibration/technical). The figures are
+/// openni2_camera's (depth_ir_offset_x, depth_ir_offset_y): both drivers tell the same.
+constexpr double kCorrelationOffsetX = 5.0;
+constexpr double kCorrelationOffsetY = 4.0;
+
 std::string failure(const std::string& what)
 {
   // OpenNI ends its texts with line breaks.
@@ -31,6 +37,7 @@ std::string DepthStream::open(const SourceOptions& options)
   if (choice.uri.empty()) return choice.error;
   if (device_.open(choice.uri.c_str()) != openni::STATUS_OK) return failure("cannot open " + choice.uri);
   uri_ = choice.uri;
+  registered_ = options.registration;
   serial_ = serialNumber(device_);
   std::string error = configure(options);
   if (!error.empty()) close();
@@ -50,6 +57,8 @@ std::string DepthStream::configure(const SourceOptions& options)
     if (!device_.isImageRegistrationModeSupported(mode)) return uri_ + " cannot register depth to colour";
     if (device_.setImageRegistrationMode(mode) != openni::STATUS_OK)
       return failure(uri_ + " refuses to register depth to colour");
+    if (color_.create(device_, openni::SENSOR_COLOR) != openni::STATUS_OK)
+      return failure(uri_ + " does not tell the colour camera's field of view");
   }
   std::string error = setMode(options);
   if (!error.empty()) return error;
@@ -88,6 +97,7 @@ std::string DepthStream::description() const
 void DepthStream::close()
 {
   frame_.release();
+  color_.destroy();
   stream_.destroy();
   device_.close();
   uri_.clear();
@@ -121,10 +131,24 @@ DepthStream::Read DepthStream::read(std::chrono::milliseconds timeout,
   frame.height = static_cast<std::uint32_t>(frame_.getHeight());
   frame.timestamp = frame_.getTimestamp();
   frame.serial = serial_;
-  frame.focal_length = 0.5 * frame.width / std::tan(0.5 * stream_.getHorizontalFieldOfView());
+  setIntrinsics(frame);
   on_frame(frame);
   frame_.release();
   return Read::kFrame;
+}
+
+void DepthStream::setIntrinsics(DepthFrame& frame) const
+{
+  const openni::VideoStream& seen_by = color_.isValid() ? color_ : stream_;
+  frame.focal_length = 0.5 * frame.width / std::tan(0.5 * seen_by.getHorizontalFieldOfView());
+  frame.center_x = 0.5 * (frame.width - 1.0);
+  frame.center_y = 0.5 * (frame.height - 1.0);
+  if (!registered_) {
+    const double scale = frame.width / 640.0;
+    frame.center_x -= kCorrelationOffsetX * scale;
+    frame.center_y -= kCorrelationOffsetY * scale;
+  }
+  if (stream_.getMirroringEnabled()) frame.center_x = frame.width - 1.0 - frame.center_x;
 }
 
 }  // namespace openni2

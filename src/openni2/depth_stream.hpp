@@ -42,12 +42,15 @@ public:
 private:
   std::string configure(const SourceOptions& options);
   std::string setMode(const SourceOptions& options);
+  void setIntrinsics(DepthFrame& frame) const;
 
   std::string uri_;
   std::string serial_;
+  bool registered_ = false;
   // In this order: the stream goes before its device.
   openni::Device device_;
   openni::VideoStream stream_;
+  openni::VideoStream color_;  // with registration, for its field of view; it never runs
   openni::VideoFrameRef frame_;
 };
 

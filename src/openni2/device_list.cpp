@@ -49,6 +49,31 @@ std::string withSerial(const std::string& serial, const std::vector<std::string>
   return {};
 }
 
+/// "n" of "bus@n": as openni2_camera has it the device's number in its URI, 0 for any; or its place on the
+/// bus.
+std::string onBus(const std::string& bus, const std::string& number, const std::vector<std::string>& uris)
+{
+  std::vector<std::string> on_bus;
+  for (const std::string& uri : uris) {
+    if (busOf(uri) != bus) continue;
+    if (uri.substr(uri.rfind('/') + 1) == number) return uri;
+    on_bus.push_back(uri);
+  }
+  return nth(on_bus, number == "0" ? "1" : number);
+}
+
+/// The only one that has this in its URI.
+std::string containing(const std::string& part, const std::vector<std::string>& uris)
+{
+  std::string found;
+  for (const std::string& uri : uris) {
+    if (uri.find(part) == std::string::npos) continue;
+    if (!found.empty()) return {};
+    found = uri;
+  }
+  return found;
+}
+
 std::string matching(const std::string& device_id, const std::vector<std::string>& uris)
 {
   if (device_id.empty()) return nth(uris, "1");
@@ -57,13 +82,11 @@ std::string matching(const std::string& device_id, const std::vector<std::string
     if (uri == device_id) return uri;
   }
   const auto at = device_id.find('@');
-  if (device_id.find('/') != std::string::npos) return {};
-  if (at == std::string::npos) return withSerial(device_id, uris);
-  std::vector<std::string> on_bus;
-  for (const std::string& uri : uris) {
-    if (busOf(uri) == device_id.substr(0, at)) on_bus.push_back(uri);
-  }
-  return nth(on_bus, device_id.substr(at + 1));
+  const bool has_slash = device_id.find('/') != std::string::npos;
+  if (at != std::string::npos && !has_slash)
+    return onBus(device_id.substr(0, at), device_id.substr(at + 1), uris);
+  const std::string of_serial = has_slash ? std::string() : withSerial(device_id, uris);
+  return of_serial.empty() ? containing(device_id, uris) : of_serial;
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ struct CollectedFrame
   std::uint32_t width;
   std::uint32_t height;
   double focal_length;  // [px]
+  double center_x;      // [px]
+  double center_y;      // [px]
   std::string serial;
   Depth depth;
 };
@@ -80,8 +82,14 @@ private:
   }
   void add(const DepthFrame& frame)
   {
-    CollectedFrame copy{frame.timestamp,           frame.width, frame.height, frame.focal_length,
-                        std::string(frame.serial), {}};
+    CollectedFrame copy{frame.timestamp,
+                        frame.width,
+                        frame.height,
+                        frame.focal_length,
+                        frame.center_x,
+                        frame.center_y,
+                        std::string(frame.serial),
+                        {}};
     copy.depth.resize(std::size_t{frame.width} * frame.height);
     for (std::size_t row = 0; row < frame.height; ++row)
       std::memcpy(&copy.depth[row * frame.width], frame.data + row * frame.step,

@@ -13,7 +13,7 @@ namespace virtual_device {
 class RenderedFrames
 {
 public:
-  RenderedFrames(int width, int height) : camera_(cameraOptions(width, height)) {}
+  explicit RenderedFrames(const Mode& mode, View view = View::kDepth) : camera_(cameraOptions(view, mode)) {}
 
   const simulation::SimulatedFrame& frame(std::uint32_t index)
   {
@@ -35,9 +35,9 @@ private:
 };
 
 /// The frame whose stamp is that many microseconds after frame 0's.
-inline std::uint32_t indexOf(std::uint64_t timestamp)
+inline std::uint32_t indexOf(std::uint64_t timestamp, int rate = 30)
 {
-  return static_cast<std::uint32_t>(std::llround(1e-6 * static_cast<double>(timestamp) * kRate));
+  return static_cast<std::uint32_t>(std::llround(1e-6 * static_cast<double>(timestamp) * rate));
 }
 
 }  // namespace virtual_device

@@ -139,7 +139,7 @@ TEST_F(OpenNI2CameraNodelet, FindsTheTrueFloorAndObstaclesAndSurvivesAnUnplug)
   plug_.putIn();
   ASSERT_TRUE(waitFor([this] { return complete().size() >= 10; })) << seen();
 
-  virtual_device::RenderedFrames rendered(320, 240);
+  virtual_device::RenderedFrames rendered({320, 240, 30});
   const simulation::PinholeCamera& camera = rendered.camera().options().camera;
   std::uint32_t index = 0;
   std::size_t obstacles = 0;

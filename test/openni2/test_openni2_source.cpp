@@ -21,6 +21,13 @@ SourceOptions small()
   return options;
 }
 
+void compareIntrinsics(const CollectedFrame& frame, const simulation::PinholeCamera& camera)
+{
+  EXPECT_NEAR(frame.focal_length, camera.fx, 1e-3);
+  EXPECT_NEAR(frame.center_x, camera.cx, 1e-9);
+  EXPECT_NEAR(frame.center_y, camera.cy, 1e-9);
+}
+
 class Source : public testing::Test
 {
 protected:
@@ -38,12 +45,29 @@ TEST_F(Source, GivesTheFramesOfTheDeviceBitForBit)
   CollectingSource source(small());
   source.setStreaming(true);
   ASSERT_TRUE(source.waitForFrames(10)) << source.reports();
-  RenderedFrames rendered(320, 240);
+  RenderedFrames rendered({320, 240, 30});
   for (const CollectedFrame& frame : source.frames()) {
     EXPECT_EQ(frame.width, 320U);
     EXPECT_EQ(frame.height, 240U);
-    EXPECT_NEAR(frame.focal_length, rendered.camera().options().camera.fx, 1e-3);
+    compareIntrinsics(frame, rendered.camera().options().camera);
     EXPECT_TRUE(frame.depth == rendered.depth(indexOf(frame.timestamp))) << "at " << frame.timestamp << " us";
+  }
+}
+
+TEST_F(Source, FollowsTheRateOfTheMode)
+{
+  SourceOptions options = small();
+  options.width = 160;
+  options.height = 120;
+  options.rate = 60;
+  CollectingSource source(options);
+  source.setStreaming(true);
+  ASSERT_TRUE(source.waitForFrames(5)) << source.reports();
+  RenderedFrames rendered({160, 120, 60});
+  for (const CollectedFrame& frame : source.frames()) {
+    compareIntrinsics(frame, rendered.camera().options().camera);
+    EXPECT_TRUE(frame.depth == rendered.depth(indexOf(frame.timestamp, 60)))
+        << "at " << frame.timestamp << " us";
   }
 }
 
@@ -55,7 +79,11 @@ TEST_F(Source, MirrorsWhereAsked)
   source.setStreaming(true);
   ASSERT_TRUE(source.waitForFrames(1)) << source.reports();
   const CollectedFrame frame = source.frames().front();
-  const Depth plain = RenderedFrames(320, 240).depth(indexOf(frame.timestamp));
+  RenderedFrames rendered({320, 240, 30});
+  simulation::PinholeCamera camera = rendered.camera().options().camera;
+  camera.cx = 319.0 - camera.cx;
+  compareIntrinsics(frame, camera);
+  const Depth plain = rendered.depth(indexOf(frame.timestamp));
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const std::size_t row = i / 320;
     ASSERT_EQ(frame.depth[i], plain[row * 320 + 319 - i % 320]) << "pixel " << i;
@@ -113,7 +141,8 @@ TEST_F(Source, WaitsForADeviceThatIsNotThereYet)
 
 TEST_F(Source, FindsADeviceByEachOfItsNames)
 {
-  for (const char* name : {"", "#1", "1@1", virtual_device::kUri, virtual_device::kSerialNumber}) {
+  for (const char* name :
+       {"", "#1", "1@1", "1@0", "virtual", "@1/1", virtual_device::kUri, virtual_device::kSerialNumber}) {
     SourceOptions options = small();
     options.device_id = name;
     CollectingSource source(options);
@@ -136,31 +165,35 @@ TEST_F(Source, NamesTheDevicesThereAreForOneThatIsNot)
 TEST_F(Source, NamesTheModesThereAreForOneThatIsNot)
 {
   SourceOptions options = small();
-  options.rate = 60;
+  options.rate = 15;
   CollectingSource source(options);
   EXPECT_TRUE(
-      source.waitForReport("no depth mode 320x240 at 60 Hz; it has 320x240 at 30 Hz, 640x480 at 30 Hz"))
+      source.waitForReport("no depth mode 320x240 at 15 Hz; it has 320x240 at 30 Hz, 640x480 at 30 Hz"))
       << source.reports();
 }
 
 TEST_F(Source, TellsTheSerialNumberAndRegistersWhereTheDeviceCan)
 {
-  setenv(virtual_device::kRegisters, "1", 1);
   SourceOptions options = small();
   options.registration = true;
   CollectingSource source(options);
   source.setStreaming(true);
-  EXPECT_TRUE(source.waitForFrames(1)) << source.reports();
-  unsetenv(virtual_device::kRegisters);
-  EXPECT_EQ(source.frames().front().serial, virtual_device::kSerialNumber);
+  ASSERT_TRUE(source.waitForFrames(1)) << source.reports();
+  const CollectedFrame frame = source.frames().front();
+  EXPECT_EQ(frame.serial, virtual_device::kSerialNumber);
+  RenderedFrames rendered({320, 240, 30}, virtual_device::View::kColor);
+  compareIntrinsics(frame, rendered.camera().options().camera);
+  EXPECT_TRUE(frame.depth == rendered.depth(indexOf(frame.timestamp))) << "at " << frame.timestamp << " us";
 }
 
 TEST_F(Source, SaysThatTheDeviceCannotRegister)
 {
+  setenv(virtual_device::kColorless, "1", 1);
   SourceOptions options = small();
   options.registration = true;
   CollectingSource source(options);
   EXPECT_TRUE(source.waitForReport("cannot register depth to colour")) << source.reports();
+  unsetenv(virtual_device::kColorless);
 }
 
 }  // namespace

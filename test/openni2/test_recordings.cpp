@@ -74,7 +74,7 @@ TEST_F(Recording, ComesBackBitForBit)
   ASSERT_GE(frames.size(), 10U) << source.reports();
 
   // The recorder lets the first few pass, and counts the stamps from its first.
-  RenderedFrames rendered(320, 240);
+  RenderedFrames rendered({320, 240, 30});
   std::uint32_t first = 0;
   while (first < 20 && rendered.depth(first) != frames.front().depth) ++first;
   ASSERT_LT(first, 20U) << "the first frame of the recording is none of the rendered ones";

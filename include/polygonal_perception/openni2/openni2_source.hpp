@@ -13,8 +13,8 @@ namespace openni2 {
 /// What to open and how.
 struct SourceOptions
 {
-  /// "#n": the nth device found, from 1; "bus@n": the nth on that USB bus; a device's URI; its serial number;
-  /// or the path of an .oni file.
+  /// "#n": the nth device found, from 1; "bus@n": that of number n on that USB bus, or the nth there, 0 for
+  /// any; a device's serial number; its URI, or a part that no other has; or the path of an .oni file.
   std::string device_id = "#1";
   int width = 640;            ///< [px] the mode; a recording keeps its own
   int height = 480;           ///< [px]
@@ -33,7 +33,10 @@ struct DepthFrame
   std::uint32_t height = 0;            ///< [px]
   std::uint64_t timestamp = 0;         ///< [us] on the device's clock
   std::string_view serial;             ///< the device's serial number; empty where it tells none
-  double focal_length = 0.0;           ///< [px] from the stream's field of view; the pixels are square
+  // From the field of view of the camera that sees it. Pixels are square, their centres lie at integers.
+  double focal_length = 0.0;  ///< [px]
+  double center_x = 0.0;      ///< [px] the principal point
+  double center_y = 0.0;      ///< [px]
 };
 
 enum class Severity

@@ -6,8 +6,8 @@
 namespace polygonal_perception {
 namespace simulation {
 
-/// A pinhole camera without distortion. The defaults are what openni2_camera reports for an ASUS Xtion's
-/// depth at VGA.
+/// A pinhole camera without distortion. The default focal length is what openni2_camera reports for an ASUS
+/// Xtion's depth at VGA.
 struct PinholeCamera
 {
   std::uint32_t width = 640;   ///< [px]

@@ -2,21 +2,25 @@
 
 #include <Driver/OniDriverAPI.h>
 
-#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <thread>
+#include <vector>
+
+#include "device_state.hpp"
+#include "virtual_camera.hpp"
 
 namespace polygonal_perception {
 namespace virtual_device {
 
-/// A depth stream that plays the simulated camera's frames from the first at each start, none left out: it
-/// falls behind where the machine is too slow.
+/// A stream of depth, or of grey pictures of it for the other two sensors, that plays the simulated camera's
+/// frames as the device's clock has it. While it runs none is left out: it falls behind where the machine is
+/// too slow. Its mode may be changed while it runs.
 class VirtualStream : public oni::driver::StreamBase
 {
 public:
-  /// @param plugged  no more frames once it is false
-  explicit VirtualStream(const std::atomic<bool>& plugged);
+  VirtualStream(OniSensorType sensor, DeviceState& device);
   ~VirtualStream() override;
 
   OniStatus setProperty(int id, const void* data, int size) override;
@@ -27,18 +31,22 @@ public:
   OniStatus start() override;
   void stop() override;
 
-  /// The modes on offer.
-  static OniSensorInfo& sensorInfo();
+  /// A sensor's modes.
+  static std::vector<OniVideoMode> modes(OniSensorType sensor);
 
 private:
   void run();
-  void send(const std::uint16_t* millimetres, std::uint32_t index);
+  void send(const std::vector<std::uint16_t>& millimetres, const OniVideoMode& mode, std::uint32_t index);
+  View view() const;
+  OniVideoMode mode();
+  bool mirrors();
 
-  const std::atomic<bool>& plugged_;
+  const OniSensorType sensor_;
+  DeviceState& device_;
+  std::mutex mutex_;  // of what follows
+  std::condition_variable changed_;
   OniVideoMode mode_;
   OniBool mirror_ = TRUE;  // as PrimeSense's devices start
-  std::mutex mutex_;
-  std::condition_variable changed_;
   bool running_ = false;
   std::thread thread_;
 };
