@@ -193,6 +193,12 @@ class OpenNI2DriversTest(unittest.TestCase):
         self.check_polygons()
         self.assertFalse(self.is_stand_in())
 
+    def test_auto_takes_the_builtin_one_for_a_file(self):
+        self.install_stand_in()
+        self.launch(device_id=STAND_IN)
+        NodeClient(outputs=()).wait_for(lambda: '/camera/driver' in self.nodelets(), 'the driver', 60.0)
+        self.assertFalse(self.is_stand_in())
+
     def test_auto_takes_the_one_that_runs(self):
         self.install_stand_in()
         self.launch(package='openni2_launch')
