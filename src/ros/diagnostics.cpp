@@ -26,7 +26,9 @@ const char* textOf(FloorStatus status)
 void summarize(const NodeState& state, const FrameStatistics& statistics, double silence,
                DiagnosticStatusWrapper& status)
 {
-  if (!state.active) {
+  if (!state.subscription_error.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "cannot subscribe to " + state.subscription_error);
+  } else if (!state.active) {
     status.summary(DiagnosticStatus::OK, "idle: nobody reads an output");
   } else if (silence > kLongSilence) {
     status.summaryf(DiagnosticStatus::ERROR, "no frame for %.1f s: waiting for %s%s", silence,

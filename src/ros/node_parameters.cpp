@@ -1,6 +1,8 @@
 #include "polygonal_perception/ros/node_parameters.hpp"
 
+#include <ros/master.h>
 #include <ros/param.h>
+#include <ros/this_node.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,8 +197,16 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_handle, std::ve
 
 void writePipelineParameters(const ros::NodeHandle& private_handle, const Pipeline::Parameters& parameters)
 {
+  // NodeHandle::setParam() waits for a roscore that is gone, and no frame would be answered meanwhile.
+  constexpr bool kWaitForMaster = false;
   Pipeline::Parameters::describe(parameters, [&](const char* name, const auto& value, const auto&...) {
-    private_handle.setParam(name, value);
+    XmlRpcValue request;
+    XmlRpcValue response;
+    XmlRpcValue payload;
+    request[0] = ros::this_node::getName();
+    request[1] = private_handle.resolveName(name);
+    request[2] = value;
+    ros::master::execute("setParam", request, response, payload, kWaitForMaster);
   });
 }
 

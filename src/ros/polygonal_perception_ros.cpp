@@ -4,6 +4,7 @@
 #include <ros/names.h>
 
 #include <exception>
+#include <stdexcept>
 #include <vector>
 
 #include "diagnostic_period.hpp"
@@ -91,6 +92,7 @@ void PolygonalPerceptionRos::startDiagnostics()
 void PolygonalPerceptionRos::report()
 {
   ensureDiagnosticPeriod(private_handle_);
+  if (!subscription_error_.empty()) updateSubscription();
   // It adds its period to the clock, which throws at the end of ROS's time.
   try {
     updater_.force_update();
@@ -102,8 +104,18 @@ void PolygonalPerceptionRos::report()
 void PolygonalPerceptionRos::updateSubscription()
 {
   const bool wanted = !parameters_.lazy || outputs_->hasReaders();
-  if (wanted && !subscribed_) subscribe();
+  subscription_error_.clear();
   if (!wanted && subscribed_) unsubscribe();
+  if (!wanted || subscribed_) return;
+  // roscpp throws where somebody in this process reads the same topic as another type; out of a callback that
+  // would take the manager down.
+  try {
+    subscribe();
+  } catch (const std::exception& error) {
+    unsubscribe();
+    subscription_error_ = error.what();
+    log_.error("subscription", "cannot subscribe to " + subscription_error_);
+  }
 }
 
 void PolygonalPerceptionRos::subscribe()
@@ -116,8 +128,12 @@ void PolygonalPerceptionRos::subscribe()
     // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names
     // fall into the manager's namespace, past the nodelet's remappings.
     const std::string name = ros::names::append(ros::names::parentNamespace(name_), topic);
-    return handle_.subscribe<Message>(name, topics::kInputQueueSize, gated(gate_, action), nullptr,
-                                      ros::TransportHints().tcpNoDelay());
+    try {
+      return handle_.subscribe<Message>(name, topics::kInputQueueSize, gated(gate_, action), nullptr,
+                                        ros::TransportHints().tcpNoDelay());
+    } catch (const std::exception& error) {
+      throw std::runtime_error(handle_.resolveName(name) + ": " + error.what());
+    }
   };
   if (parameters_.input == "depth") {
     camera_info_ = subscribe(sensor_msgs::CameraInfo(), topics::kCameraInfo,
@@ -214,6 +230,7 @@ void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrappe
   checkClock();
   NodeState state;
   state.active = subscribed_;
+  state.subscription_error = subscription_error_;
   state.awaited_topic = frames_.getTopic();
   state.awaited_is_published = frames_.getNumPublishers() > 0;
   if (subscribed_) {  // else the next frame will know nothing of the last floor

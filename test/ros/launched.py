@@ -15,8 +15,12 @@ class Started:
         return self
 
     def __exit__(self, *_):
+        self.end()
+
+    def end(self):
+        """As often as one likes; returns the exit code."""
         self.process.send_signal(signal.SIGINT)
-        self.process.wait()
+        return self.process.wait()
 
     def crash(self):
         self.process.kill()

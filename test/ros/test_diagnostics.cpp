@@ -43,6 +43,15 @@ TEST_F(DiagnosticsTest, IdleIsOkHoweverLong)
   EXPECT_EQ(status.message, "idle: nobody reads an output");
 }
 
+TEST_F(DiagnosticsTest, WhatKeepsItFromSubscribingIsAnError)
+{
+  state_.active = false;
+  state_.subscription_error = "/camera/points: another type";
+  const DiagnosticStatus status = report(milliseconds(0));
+  EXPECT_EQ(status.level, DiagnosticStatus::ERROR);
+  EXPECT_EQ(status.message, "cannot subscribe to /camera/points: another type");
+}
+
 TEST_F(DiagnosticsTest, SilenceIsAnErrorThatNamesTheTopic)
 {
   statistics_.received(1, start_);

@@ -51,9 +51,9 @@ class ReloadTest(unittest.TestCase):
             cls.client.send(cls.cloud)
             rate.sleep()
 
-    def load(self, name=NODE):
+    def load(self, name=NODE, topic='/points'):
         loaded = self.services['load_nodelet'](name=name, type='polygonal_perception/PolygonalPerception', my_argv=[],
-                                               bond_id='', remap_source_args=['/points'], remap_target_args=[CAMERA])
+                                               bond_id='', remap_source_args=[topic], remap_target_args=[CAMERA])
         self.assertTrue(loaded.success)
         self.assertIn(name, self.services['list']().nodelets)
 
@@ -93,6 +93,19 @@ class ReloadTest(unittest.TestCase):
         self.client.wait_for(lambda: len(stamps) > before + 5, 'the other one to go on alone')
         self.unload(OTHER)
         other.unregister()
+
+    def test_a_topic_that_another_one_takes_for_images(self):
+        # roscpp throws when a process subscribes to a topic as two types.
+        rospy.set_param(OTHER, {'input': 'depth', 'lazy': False, 'floor_frame': 'other_floor'})
+        self.load(OTHER, '/depth/image')
+        self.load()
+        self.client.read('floor')
+        self.client.wait_for(lambda: any('cannot subscribe to ' + CAMERA in s.message for s in self.client.diagnostics),
+                             'the diagnostics to say so')
+        self.unload(OTHER)
+        rospy.delete_param(OTHER)
+        self.wait_for_floors(what='a floor once the topic is free')
+        self.unload()
 
     def test_a_reader_that_does_not_read_holds_nobody_up(self):
         self.load()

@@ -14,8 +14,9 @@ namespace polygonal_perception {
 /// What the node is doing, as far as its diagnostics tell.
 struct NodeState
 {
-  bool active = false;        ///< subscribed to the camera
-  std::string awaited_topic;  ///< resolved name of the input that it cannot go on without
+  bool active = false;             ///< subscribed to the camera
+  std::string subscription_error;  ///< why it could not subscribe, else empty
+  std::string awaited_topic;       ///< resolved name of the input that it cannot go on without
   bool awaited_is_published = false;
   FloorState floor;
   std::optional<CameraAttitude> attitude;  ///< where there is a floor and it is known where the camera looks

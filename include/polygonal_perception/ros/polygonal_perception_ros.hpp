@@ -73,6 +73,7 @@ private:
 
   bool subscribed_ = false;
   boost::weak_ptr<const void> last_message_;
+  std::string subscription_error_;  ///< why it is not, though somebody reads; tried again every report
   std::deque<WaitingFrame> waiting_;
   ros::Time last_stamp_;
   ros::Time last_now_;
