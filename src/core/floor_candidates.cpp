@@ -43,6 +43,11 @@ NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters)
           static_cast<float>(parameters.max_camera_height)};
 }
 
+bool isAtCameraHeight(const Plane& plane, const FloorDetector::Parameters& parameters)
+{
+  return plane.distance >= parameters.min_camera_height && plane.distance <= parameters.max_camera_height;
+}
+
 bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally,
               const FloorDetector::Parameters& parameters)
 {

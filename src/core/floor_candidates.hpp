@@ -15,6 +15,9 @@ namespace polygonal_perception {
 /// The band in which a point counts as one of a plane.
 NoisyPoints::Band bandOf(const FloorDetector::Parameters& parameters);
 
+/// Whether the camera can be that high.
+bool isAtCameraHeight(const Plane& plane, const FloorDetector::Parameters& parameters);
+
 /// Whether hardly a point lies below a plane, or none that could be of a floor instead.
 bool isLowest(const Plane& plane, const NoisyPoints::Tally& tally,
               const FloorDetector::Parameters& parameters);

@@ -31,7 +31,8 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
        candidate = candidates.best(prior)) {
     const auto refined = refinement.refine(candidate->plane, parameters_);
     const bool may_have_more_below = (prior.firm && candidate->continues) || candidate->above_steps;
-    if (refined && (may_have_more_below || isLowest(refined->fit.plane, refined->tally, parameters_))) {
+    if (refined && isAtCameraHeight(refined->fit.plane, parameters_) &&
+        (may_have_more_below || isLowest(refined->fit.plane, refined->tally, parameters_))) {
       floor.emplace();
       floor->plane = refined->fit.plane;
       floor->rms_error = refined->fit.rms_error;

@@ -1,5 +1,7 @@
 #include "polygonal_perception/ros/cloud_input.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -35,6 +37,22 @@ std::string findCoordinate(const PointCloud2& cloud, const char* name, std::size
   return quoted + " is missing, needed are x, y and z";
 }
 
+/// What is wrong where two coordinates share bytes, as those of publishers that leave all offsets at 0 do.
+std::string findOverlap(const PointView::CloudStrides& strides)
+{
+  std::array coordinates = {std::pair{strides.x_offset, 'x'}, std::pair{strides.y_offset, 'y'},
+                            std::pair{strides.z_offset, 'z'}};
+  std::sort(coordinates.begin(), coordinates.end());
+  for (std::size_t k = 1; k < coordinates.size(); ++k) {
+    const auto [low, before] = coordinates[k - 1];
+    const auto [high, after] = coordinates[k];
+    if (high - low >= sizeof(float)) continue;
+    return std::string("fields '") + before + "' and '" + after + "' overlap at offsets " +
+           std::to_string(low) + " and " + std::to_string(high) + ", accepted are 4 bytes each";
+  }
+  return {};
+}
+
 }  // namespace
 
 Expected<PointView> viewCloud(const PointCloud2& cloud)
@@ -58,6 +76,7 @@ Expected<PointView> viewCloud(const PointCloud2& cloud)
       return Result::failure(error);
     }
   }
+  if (const std::string error = findOverlap(strides); !error.empty()) return Result::failure(error);
   const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step;
   if (cloud.row_step < row) {
     return Result::failure("row_step is " + std::to_string(cloud.row_step) +

@@ -35,6 +35,16 @@ Intrinsics intrinsicsOf(const sensor_msgs::CameraInfo& info)
           ((has_projection ? info.P[6] : info.K[5]) - info.roi.y_offset) / binning_y};
 }
 
+/// Whether every pixel lies within 89 degrees of the optical axis: others come from numbers that are no
+/// pixels (metres, say) or of another image. Written so that NaN fails.
+bool seesAhead(const Intrinsics& k, const sensor_msgs::Image& image)
+{
+  constexpr double kSteepest = 57.0;  // tan(89 degrees)
+  const double across = std::max(std::abs(k.cx), std::abs(image.width - 1.0 - k.cx));
+  const double down = std::max(std::abs(k.cy), std::abs(image.height - 1.0 - k.cy));
+  return across < kSteepest * k.fx && down < kSteepest * k.fy;
+}
+
 std::uint32_t imageSide(std::uint32_t full, std::uint32_t region, std::uint32_t binning)
 {
   return (region != 0 ? region : full) / std::max(binning, 1U);
@@ -95,12 +105,6 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
 {
   if (!info_) return "no camera_info has come yet on " + info_topic_;
   const sensor_msgs::CameraInfo& info = *info_;
-  const Intrinsics k = intrinsicsOf(info);
-  if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy))) {
-    return "camera_info has fx, fy, cx, cy of " + numberText(k.fx) + ", " + numberText(k.fy) + ", " +
-           numberText(k.cx) + ", " + numberText(k.cy) +
-           "; accepted are finite ones, fx and fy positive (is the camera calibrated?)";
-  }
   const std::uint32_t width = imageSide(info.width, info.roi.width, info.binning_x);
   const std::uint32_t height = imageSide(info.height, info.roi.height, info.binning_y);
   // Some publishers leave the size out.
@@ -108,6 +112,13 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
   if (has_size && (width != image.width || height != image.height)) {
     return "camera_info is for an image of " + sizeText(width, height) + ", the image has " +
            sizeText(image.width, image.height);
+  }
+  const Intrinsics k = intrinsicsOf(info);
+  if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy) && seesAhead(k, image))) {
+    return "camera_info has fx, fy, cx, cy of " + numberText(k.fx) + ", " + numberText(k.fy) + ", " +
+           numberText(k.cx) + ", " + numberText(k.cy) +
+           "; accepted are finite ones, fx and fy positive, all pixels within 89 deg of the axis (is the "
+           "camera calibrated?)";
   }
   const bool same_size = rays_.column_slope.size() == image.width && rays_.row_slope.size() == image.height;
   const bool same_calibration =

@@ -8,6 +8,20 @@
 
 namespace polygonal_perception {
 
+namespace {
+
+/// A frame_id or an encoding may have megabytes, which would go into each report.
+std::string shortened(const std::string& text)
+{
+  constexpr std::size_t kLongest = 1000;
+  constexpr std::size_t kEnd = 300;  // has what is accepted
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, kLongest - kEnd) + " [" + std::to_string(text.size() - kLongest) +
+         " bytes left out] " + text.substr(text.size() - kEnd);
+}
+
+}  // namespace
+
 FrameProcessor::FrameProcessor(const NodeParameters& parameters, const std::string& info_topic,
                                Outputs& outputs, FrameStatistics& statistics, ThrottledLog& log)
     : parameters_(parameters),
@@ -157,8 +171,9 @@ void FrameProcessor::forgetTime()
 
 void FrameProcessor::reject(const char* kind, const std::string& reason)
 {
-  statistics_.rejected(reason);
-  log_.error(kind, reason);
+  const std::string text = shortened(reason);
+  statistics_.rejected(text);
+  log_.error(kind, text);
 }
 
 }  // namespace polygonal_perception

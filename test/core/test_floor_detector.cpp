@@ -133,6 +133,26 @@ TEST(FloorDetector, APlaneAtAHeightThatTheCameraCannotHaveIsNoFloor)
   EXPECT_FALSE(detect(scene, seed(), parameters));
 }
 
+TEST(FloorDetector, WhatTheFinerFitSaysLiesWithinTheBoundsToo)
+{
+  const Plane floor = floorSeenFrom(0.8, 0.5);
+  PlaneScene scene(160, 120, 142.5, 0.02);
+  scene.add(floor);
+  int found = 0;
+  for (double bound = 0.79; bound < 0.81; bound += 0.0005) {
+    FloorDetector::Parameters parameters;
+    parameters.min_camera_height = bound;
+    const auto above = detect(scene, seed(), parameters);
+    EXPECT_GE(above ? above->plane.distance : bound, bound);
+    parameters.min_camera_height = 0.05;
+    parameters.max_camera_height = bound;
+    const auto below = detect(scene, seed(), parameters);
+    EXPECT_LE(below ? below->plane.distance : bound, bound);
+    found += (above ? 1 : 0) + (below ? 1 : 0);
+  }
+  EXPECT_GT(found, 0);
+}
+
 class AtALedge : public ::testing::Test
 {
 protected:

@@ -26,6 +26,7 @@ OUTPUTS = {
 }
 NOT_FOUND, FOUND, HELD = FloorPlane.NOT_FOUND, FloorPlane.FOUND, FloorPlane.HELD
 DEADLINE = 30.0  # [s] on a busy machine
+PATIENCE = 5.0  # [s] with a reader that finds no publisher
 
 
 def header_of(message):
@@ -43,9 +44,11 @@ class NodeClient:
             self.wait_advertised()
         self.answers, self.logs, self.diagnostics, self.transforms = {}, [], [], []
         self.readers = {}
-        self.log_reader = rospy.Subscriber('/rosout', Log, lambda m: self._append(self.logs, m))
-        self.tf_reader = rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms])
-        self.diagnostics_reader = rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics)
+        self.listeners = {
+            '/rosout': rospy.Subscriber('/rosout', Log, lambda m: self._append(self.logs, m)),
+            '/tf': rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms]),
+            '/diagnostics': rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics),
+        }
         if depth:
             self.image = rospy.Publisher('/camera/depth/' + image, Image, queue_size=10)
             self.info = rospy.Publisher('/camera/depth/camera_info', CameraInfo, queue_size=10)
@@ -85,9 +88,28 @@ class NodeClient:
     def stop_reading(self, name):
         self.readers.pop(name).unregister()
 
+    def _read_anew(self):
+        """Subscribes once more to what has no connection.
+
+        Of a topic that goes and comes back roscore's news may overtake one another, and rospy then stays without its publisher.
+        """
+        for name in [name for name, reader in self.readers.items() if reader.get_num_connections() == 0]:
+            self.stop_reading(name)
+            self.read(name)
+        for topic, reader in self.listeners.items():
+            if reader.get_num_connections() == 0:
+                kind, callback = reader.data_class, reader.callback  # unregister() takes them
+                reader.unregister()
+                self.listeners[topic] = rospy.Subscriber(topic, kind, callback)
+
+    def close(self):
+        for end in [*self.publishers, *self.readers.values(), *self.listeners.values()]:
+            end.unregister()
+
     def wait_for(self, condition, what, deadline=DEADLINE):
         """Waits until condition() gives something, and returns it."""
-        end = time.monotonic() + deadline
+        begin = time.monotonic()
+        end, read_anew = begin + deadline, begin + PATIENCE
         with self.condition:
             while True:
                 result = condition()
@@ -96,6 +118,9 @@ class NodeClient:
                 left = end - time.monotonic()
                 if left <= 0:
                     raise AssertionError('waited %.0f s in vain for %s' % (deadline, what))
+                if time.monotonic() > read_anew:
+                    self._read_anew()
+                    read_anew = time.monotonic() + PATIENCE
                 # Connections come and go without a notification.
                 self.condition.wait(min(left, 0.05))
 
@@ -117,7 +142,7 @@ class NodeClient:
     def wait_connected(self):
         self.wait_for(lambda: all(p.get_num_connections() > 0 for p in self.publishers),
                       'the node to subscribe to ' + ', '.join(p.resolved_name for p in self.publishers))
-        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in [self.tf_reader, *self.readers.values()]),
+        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in [self.listeners['/tf'], *self.readers.values()]),
                       'the node to publish')
 
     def send(self, *messages):

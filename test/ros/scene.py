@@ -2,6 +2,7 @@
 import math
 
 import numpy as np
+from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 
 OPTICAL_FRAME = 'camera_depth_optical_frame'
@@ -86,6 +87,15 @@ class Camera:
         message.R = [1, 0, 0, 0, 1, 0, 0, 0, 1]
         message.P = [self.f, 0, self.cx, 0, 0, self.f, self.cy, 0, 0, 0, 1, 0]
         return message
+
+
+def transform(parent, child, position=(0, 0, 0), rotation=np.eye(3)):
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    t, r = message.transform.translation, message.transform.rotation
+    t.x, t.y, t.z = position
+    r.x, r.y, r.z, r.w = quaternion_of(rotation)
+    return message
 
 
 def quaternion_of(r):

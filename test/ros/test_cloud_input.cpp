@@ -89,6 +89,23 @@ TEST(CloudInput, SaysWhatIsWrongWithAField)
             "field 'y' at offset 4294967295 does not fit a point_step of 20");
 }
 
+TEST(CloudInput, CoordinatesShareNoBytes)
+{
+  EXPECT_EQ(errorOf([](PointCloud2& c) { c.fields[2].offset = 11; }),
+            "fields 'x' and 'y' overlap at offsets 8 and 11, accepted are 4 bytes each");
+  EXPECT_EQ(errorOf([](PointCloud2& c) { c.fields[0].offset = 8; }),
+            "fields 'x' and 'z' overlap at offsets 8 and 8, accepted are 4 bytes each");
+}
+
+TEST(CloudInput, OfFieldsOfOneNameTheFirstCounts)
+{
+  PointCloud2 message = cloud();
+  message.fields.push_back(field("x", 13));
+  EXPECT_EQ(viewCloud(message)->point(0, 0).x(), 0.1F);
+  message.fields[1].datatype = PointField::FLOAT64;
+  EXPECT_EQ(viewCloud(message).error(), "field 'x' has datatype 8, accepted is FLOAT32 (7)");
+}
+
 TEST(CloudInput, SaysWhatIsWrongWithTheMemory)
 {
   EXPECT_EQ(errorOf([](PointCloud2& c) { c.is_bigendian = 1; }), "is_bigendian is true, accepted is false");

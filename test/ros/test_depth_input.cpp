@@ -156,19 +156,25 @@ TEST(DepthInput, SaysWhatIsWrongWithTheCalibration)
 {
   using Image = sensor_msgs::Image;
   using Info = sensor_msgs::CameraInfo;
+  const std::string accepted =
+      "; accepted are finite ones, fx and fy positive, all pixels within 89 deg of the axis (is the camera "
+      "calibrated?)";
   EXPECT_EQ(errorOf([](Image&, Info& info) { info.width = 8; }),
             "camera_info is for an image of 8x2, the image has 4x2");
   EXPECT_EQ(errorOf([](Image&, Info& info) {
               info.P.fill(0.0);
               info.K.fill(0.0);
             }),
-            "camera_info has fx, fy, cx, cy of 0, 0, 0, 0; accepted are finite ones, fx and fy positive (is "
-            "the camera "
-            "calibrated?)");
+            "camera_info has fx, fy, cx, cy of 0, 0, 0, 0" + accepted);
   EXPECT_EQ(errorOf([](Image&, Info& info) { info.P[2] = NAN; }),
-            "camera_info has fx, fy, cx, cy of 2, 4, nan, 0.5; accepted are finite ones, fx and fy positive "
-            "(is the "
-            "camera calibrated?)");
+            "camera_info has fx, fy, cx, cy of 2, 4, nan, 0.5" + accepted);
+  // In metres; of a region of interest that is none; so small that the rays leave the range of floats.
+  EXPECT_EQ(errorOf([](Image&, Info& info) { info.P[0] = 0.005; }),
+            "camera_info has fx, fy, cx, cy of 0.005, 4, 1, 0.5" + accepted);
+  EXPECT_EQ(errorOf([](Image&, Info& info) { info.roi.y_offset = 1000; }),
+            "camera_info has fx, fy, cx, cy of 2, 4, 1, -999.5" + accepted);
+  EXPECT_EQ(errorOf([](Image&, Info& info) { info.P[5] = 1e-300; }),
+            "camera_info has fx, fy, cx, cy of 2, 1e-300, 1, 0.5" + accepted);
 }
 
 }  // namespace

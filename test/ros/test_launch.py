@@ -5,11 +5,9 @@ import sys
 import tempfile
 import unittest
 
-import numpy as np
 import rosbag
 import rospy
 import rostest
-from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 
 import scene
@@ -17,15 +15,6 @@ from launched import Launched, Manager
 from node_client import FOUND, Clock, NodeClient
 
 from polygonal_perception.msg import FloorPlane
-
-
-def transform(parent, child, position=(0, 0, 0), rotation=np.eye(3)):
-    message = TransformStamped(child_frame_id=child)
-    message.header.frame_id = parent
-    t, r = message.transform.translation, message.transform.rotation
-    t.x, t.y, t.z = position
-    r.x, r.y, r.z, r.w = scene.quaternion_of(rotation)
-    return message
 
 
 def config(name):
@@ -44,8 +33,8 @@ class LaunchTest(unittest.TestCase):
             client = NodeClient(['floor', 'polygons'])
             camera = scene.Camera(height=0.5)
             tf = rospy.Publisher('/tf_static', TFMessage, queue_size=10, latch=True)
-            tf.publish(TFMessage([transform('odom', 'base_footprint'),
-                                  transform('base_footprint', scene.OPTICAL_FRAME, camera.position, camera.rotation)]))
+            tf.publish(TFMessage([scene.transform('odom', 'base_footprint'),
+                                  scene.transform('base_footprint', scene.OPTICAL_FRAME, camera.position, camera.rotation)]))
             client.wait_for(lambda: tf.get_num_connections() > 0, 'the node to listen to tf')
             self.check_frames(client, camera)
             self.assertEqual(rospy.get_param('/polygonal_perception/robot_radius'), 0.21)

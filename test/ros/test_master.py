@@ -55,9 +55,7 @@ class Program(Started):
         return self
 
     def end(self):
-        client = self.client
-        for end in [*client.publishers, *client.readers.values(), client.tf_reader, client.log_reader, client.diagnostics_reader]:
-            end.unregister()
+        self.client.close()
         self.set.close()
         self.reset.close()
         return super().end()

@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
-"""Random bytes, and frames whose fields are random, on every input: each good frame between them is answered."""
+"""Random bytes, and messages whose fields are random, on every input: each good frame between them is answered."""
 import random
+import struct
 import sys
 import time
 import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import TransformStamped
+from tf2_msgs.msg import TFMessage
 
 import scene
+from garbage import GarbagePublisher, ServersOf, random_bytes
 from node_client import FOUND, Clock, NodeClient
 
 SEED = 3
@@ -17,12 +21,15 @@ SIZES = [0, 1, 2, 3, 16, 119, 120, 160, 320, 2560, 65535, 65536, 2 ** 31, 2 ** 3
 NUMBERS = [0.0, -1.0, 1e-310, 1e300, float('inf'), float('-inf'), float('nan'), 142.0, 80.0]
 
 
-def random_bytes(kind, rng):
-    """A message of this kind that is sent as nothing but noise."""
+def noise(kind, rng):
+    """A message of this kind that is sent as nothing but random bytes."""
     class Noise(kind):
         def serialize(self, buff):
-            buff.write(rng.getrandbits(8 * size).to_bytes(size, 'little') if size else b'')
-    size = rng.choice([0, 1, 3, 4, 11, 12, 13, 16, 17, 64, 400, 4000])
+            buff.write(content)
+    content = random_bytes(rng, rng.choice([0, 1, 3, 4, 11, 12, 13, 16, 17, 64, 400, 4000]))
+    if kind is TFMessage:
+        # A number of transforms. roscpp makes room for them before it looks whether they are there: more would take all memory.
+        content = struct.pack('<I', rng.randrange(1000)) + content
     return Noise()
 
 
@@ -50,32 +57,54 @@ def spoil(message, rng):
     return message
 
 
+def random_transforms(rng, stamp):
+    """Of frames that nobody asks for, in circles and with numbers that make no rotation."""
+    message = TFMessage()
+    for _ in range(rng.randint(0, 5)):
+        transform = TransformStamped(child_frame_id=rng.choice(['', '/', 'a', 'b', 'c', 'x' * 10000]))
+        transform.header.frame_id = rng.choice(['', '/', 'a', 'b', 'c'])
+        transform.header.stamp = stamp + rospy.Duration(rng.uniform(-100.0, 100.0))
+        t, r = transform.transform.translation, transform.transform.rotation
+        t.x, t.y, t.z, r.x, r.y, r.z, r.w = (rng.choice(NUMBERS) for _ in range(7))
+        message.transforms.append(transform)
+    return message
+
+
 class NoiseTest(unittest.TestCase):
     def test_every_good_frame_is_answered(self):
         depth = rospy.get_param('~input') == 'depth'
         client, clock, camera = NodeClient(depth=depth), Clock(), scene.Camera()
         image = camera.render()
         rng = random.Random(SEED)
+        place = rospy.Publisher('/tf_static', TFMessage, queue_size=10, latch=True)
+        place.publish(TFMessage([scene.transform('odom', scene.OPTICAL_FRAME, camera.position, camera.rotation)]))
+        tf = rospy.Publisher('/tf', TFMessage, queue_size=10)
+        client.wait_for(lambda: place.get_num_connections() > 0 and tf.get_num_connections() > 0, 'the node to listen to tf')
+        garbage = [GarbagePublisher(p.resolved_name, p.data_class, rng.getrandbits(32)) for p in [*client.publishers, tf]]
+        servers = ServersOf(client.node, client.node + '/floor')
 
         def frame():
             stamp = clock.tick()
             return [camera.info(stamp), camera.image(image, stamp)] if depth else [camera.cloud(image, stamp)]
 
-        good = noise = 0
+        good = bad = 0
         end = time.monotonic() + rospy.get_param('~seconds')
         while time.monotonic() < end:
             for _ in range(rng.randint(1, MOST_IN_A_BURST)):
                 for publisher, message in zip(client.publishers[::-1] if depth else client.publishers, frame()):
-                    publisher.publish(random_bytes(publisher.data_class, rng) if rng.random() < 0.5 else spoil(message, rng))
-                    noise += 1
+                    publisher.publish(noise(publisher.data_class, rng) if rng.random() < 0.5 else spoil(message, rng))
+                    bad += 1
+            servers.garble(rng)
+            tf.publish(noise(TFMessage, rng) if rng.random() < 0.5 else random_transforms(rng, clock.now))
             # The node takes the newest.
             messages = frame()
             client.send(*messages)
-            self.assertEqual(client.answer(messages[0].header.stamp)['floor'].status, FOUND, 'after %d messages' % noise)
+            self.assertEqual(client.answer(messages[0].header.stamp)['floor'].status, FOUND, 'after %d messages' % bad)
             good += 1
             client.answers.clear()
-        print('%d good frames answered between %d messages of noise' % (good, noise))
-        self.assertGreater(good, 0)
+        streams = [stream.connections for stream in garbage]
+        print('%d good frames answered between %d messages of noise and %s connections full of garbage' % (good, bad, streams))
+        self.assertGreater(min([good, *streams]), 0)
 
 
 if __name__ == '__main__':

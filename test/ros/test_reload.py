@@ -102,6 +102,7 @@ class ReloadTest(unittest.TestCase):
         self.client.read('floor')
         self.client.wait_for(lambda: any('cannot subscribe to ' + CAMERA in s.message for s in self.client.diagnostics),
                              'the diagnostics to say so')
+        self.client.stop_reading('floor')
         self.unload(OTHER)
         rospy.delete_param(OTHER)
         self.wait_for_floors(what='a floor once the topic is free')
