@@ -81,9 +81,9 @@ Pipeline::Goal Outputs::goal() const
 
 void Outputs::publish(const Answer& answer, Pipeline& pipeline)
 {
-  if (answer.floor.status == FloorStatus::kNotFound) {
-    hull_.clear();
-  } else if (answer.floor.status == FloorStatus::kFound && (isRead(floor_) || isRead(markers_))) {
+  // That of a held floor stays, and is none where nobody read it when the floor was found.
+  if (answer.floor.status != FloorStatus::kHeld) hull_.clear();
+  if (answer.floor.status == FloorStatus::kFound && (isRead(floor_) || isRead(markers_))) {
     hull_ = floorHull(pipeline.samples(), pipeline.tracker().detector().labels(), answer.floor.floor.plane);
   }
   publishInInputFrame(answer, pipeline);
@@ -137,12 +137,13 @@ void Outputs::publishInOutputFrame(const Answer& answer, Pipeline& pipeline)
 void Outputs::publishMarkers(const Answer& answer, const Pipeline& pipeline)
 {
   auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
-  if (answer.place) {
-    static const PolygonSet kNoPolygons;
-    const bool has_polygons =
-        answer.floor.status != FloorStatus::kNotFound && answer.goal == Pipeline::Goal::kPolygons;
-    appendPolygonMarkers(outputHeader(answer), has_polygons ? pipeline.result().polygons : kNoPolygons,
-                         answer.place->pose, *markers);
+  static const PolygonSet kNoPolygons;  // delete those of the last frame
+  const bool has_polygons = answer.place && answer.floor.status != FloorStatus::kNotFound &&
+                            answer.goal == Pipeline::Goal::kPolygons;
+  if (has_polygons) {
+    appendPolygonMarkers(outputHeader(answer), pipeline.result().polygons, answer.place->pose, *markers);
+  } else {
+    appendPolygonMarkers(answer.input, kNoPolygons, Eigen::Isometry2d::Identity(), *markers);
   }
   appendFloorMarkers(answer.input, answer.floor, hull_, *markers);
   markers_.publish(markers);

@@ -3,6 +3,11 @@ import os
 import signal
 import subprocess
 
+import roslib.packages
+
+# rosrun asks which one where the sources hold more than one build.
+NODE = roslib.packages.find_node('polygonal_perception', 'polygonal_perception_node')[0]
+
 
 class Started:
     """A command, ended by the interrupt key's signal."""

@@ -40,10 +40,10 @@ class NodeClient:
                  depth=False, image='image_rect', runs=True):
         self.node = node
         self.condition = threading.Condition()
+        self.readers, self.listeners = {}, {}
         if runs:
             self.wait_advertised()
         self.answers, self.logs, self.diagnostics, self.transforms = {}, [], [], []
-        self.readers = {}
         self.listeners = {
             '/rosout': rospy.Subscriber('/rosout', Log, lambda m: self._append(self.logs, m)),
             '/tf': rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms]),

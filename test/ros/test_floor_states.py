@@ -2,7 +2,9 @@
 """FOUND, HELD and NOT_FOUND; what makes the node forget a floor."""
 import sys
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 
@@ -73,6 +75,23 @@ class FloorStatesTest(unittest.TestCase):
         self.assertNotIn(-1, answer['occupancy_grid'].data)
         self.check_no_floor(self.see_nothing(self.clock.tick(FLOOR_TIMEOUT)))
         self.assertEqual(self.see_floor()['floor'].status, FOUND)
+
+    def test_a_hull_of_an_earlier_floor_does_not_come_with_a_held_one(self):
+        self.assertGreater(len(self.see_floor()['floor'].hull), 2)
+        # Nobody reads the hull when the floor is found once more.
+        hull_readers = ('floor', 'markers')
+        for name in hull_readers:
+            self.client.stop_reading(name)
+        node = xmlrpc.client.ServerProxy(rosgraph.Master('/floor_states').lookupNode(self.client.node))
+        self.client.wait_for(lambda: not any(connection[4] == self.client.node + '/' + name
+                                             for connection in node.getBusInfo('/floor_states')[2] for name in hull_readers),
+                             'the readers to be gone')
+        self.see_floor()
+        for name in hull_readers:
+            self.client.read(name)
+        self.client.wait_connected()
+        held = self.see_nothing()['floor']
+        self.assertEqual((held.status, held.hull), (HELD, []))
 
     def test_reset_forgets_the_floor(self):
         self.see_floor()

@@ -13,19 +13,19 @@ from dynamic_reconfigure.msg import Config, DoubleParameter
 from dynamic_reconfigure.srv import Reconfigure
 from std_srvs.srv import Trigger
 
+import launched
 import scene
-from launched import Started
 from node_client import DEADLINE, FOUND, Clock, NodeClient
 
 NODE = '/polygonal_perception'
 FRAMES = 30
 PROGRAMS = {
-    'node': ['polygonal_perception', 'polygonal_perception_node'],
-    'manager': ['nodelet', 'nodelet', 'standalone', 'polygonal_perception/PolygonalPerception'],
+    'node': [launched.NODE],
+    'manager': ['rosrun', 'nodelet', 'nodelet', 'standalone', 'polygonal_perception/PolygonalPerception'],
 }
 
 
-class Master(Started):
+class Master(launched.Started):
     """A roscore of our own: rostest's has to live on."""
 
     def __init__(self):
@@ -39,11 +39,11 @@ class Master(Started):
         return self
 
 
-class Program(Started):
+class Program(launched.Started):
     """The node, alone or in a manager, with a client."""
 
     def __init__(self, hull):
-        super().__init__('rosrun', *PROGRAMS[hull], '__name:=' + NODE[1:], 'points:=/camera/depth/points')
+        super().__init__(*PROGRAMS[hull], '__name:=' + NODE[1:], 'points:=/camera/depth/points')
 
     def __enter__(self):
         super().__enter__()

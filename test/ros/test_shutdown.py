@@ -10,13 +10,14 @@ import unittest
 import rospy
 import rostest
 
+import launched
 import scene
 from node_client import DEADLINE, FOUND, Clock, NodeClient
 
 NODE = '/polygonal_perception'
 REMAPPED = ['points:=/camera/depth/points']
 COMMANDS = {
-    'node': ['rosrun', 'polygonal_perception', 'polygonal_perception_node', '__name:=polygonal_perception', *REMAPPED],
+    'node': [launched.NODE, '__name:=polygonal_perception', *REMAPPED],
     'nodelet': ['rosrun', 'nodelet', 'nodelet', 'standalone', 'polygonal_perception/PolygonalPerception',
                 '__name:=polygonal_perception', *REMAPPED],
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <limits>
 #include <memory>
@@ -36,12 +37,14 @@ protected:
     private_handle_.setParam("diagnostic_period", 0.02);
     clouds_ = handle_.advertise<sensor_msgs::PointCloud2>("points", 1);
     diagnostics_ = handle_.subscribe("/diagnostics", 100, &TimeTest::onDiagnostics, this);
+    transforms_ = handle_.subscribe("/tf", 100, &TimeTest::onTransform, this);
     floors_ = private_handle_.subscribe("floor", 100, &TimeTest::onFloor, this);
     polygons_ = private_handle_.subscribe("polygons", 100, &TimeTest::onPolygons, this);
     node_ = std::make_unique<PolygonalPerceptionRos>(handle_, private_handle_);
     waitFor("the connections", [this] {
       return clouds_.getNumSubscribers() > 0 && floors_.getNumPublishers() > 0 &&
-             polygons_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0;
+             polygons_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0 &&
+             transforms_.getNumPublishers() > 0;
     });
   }
 
@@ -80,6 +83,10 @@ protected:
 
   void onFloor(const FloorPlane& floor) { floor_answers_.push_back(floor); }
   void onPolygons(const PolygonArray& polygons) { polygon_answers_.push_back(polygons); }
+  void onTransform(const tf2_msgs::TFMessage& message)
+  {
+    for (const auto& transform : message.transforms) transform_stamps_.push_back(transform.header.stamp);
+  }
   void onDiagnostics(const diagnostic_msgs::DiagnosticArray& /*report*/) { ++reports_; }
 
   ros::CallbackQueue queue_;
@@ -87,10 +94,12 @@ protected:
   ros::NodeHandle private_handle_{handle_, "perception"};
   ros::Publisher clouds_;
   ros::Subscriber diagnostics_;
+  ros::Subscriber transforms_;
   ros::Subscriber floors_;
   ros::Subscriber polygons_;
   std::vector<FloorPlane> floor_answers_;
   std::vector<PolygonArray> polygon_answers_;
+  std::vector<ros::Time> transform_stamps_;
   std::size_t reports_ = 0;
   std::unique_ptr<PolygonalPerceptionRos> node_;
 };
@@ -113,6 +122,12 @@ TEST_F(TimeTest, AFrameWithoutAStampIsAnsweredAndNothingIsHeld)
     EXPECT_EQ(see(0.0), FloorPlane::FOUND);
     EXPECT_EQ(seeNothing(0.0), FloorPlane::NOT_FOUND) << "how old would it be?";
   }
+  EXPECT_EQ(see(50.0), FloorPlane::FOUND);
+  EXPECT_EQ(see(0.0), FloorPlane::FOUND);
+  EXPECT_EQ(see(50.1), FloorPlane::FOUND);
+  waitFor("transforms", [this] { return transform_stamps_.size() >= 2; });
+  EXPECT_EQ(transform_stamps_, (std::vector<ros::Time>{ros::Time(50.0), ros::Time(50.1)}))
+      << "tf takes 0 for the latest";
 }
 
 TEST_F(TimeTest, AFrameWithoutAStampHasNoPlaceInAnotherFrame)

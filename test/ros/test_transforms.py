@@ -10,6 +10,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker
 
 import scene
 from node_client import FOUND, NOT_FOUND, OUTPUTS, Clock, NodeClient
@@ -45,6 +46,11 @@ class TransformsTest(unittest.TestCase):
 
     def send_pose(self, *args):
         self.tf.publish(TFMessage([self.pose(*args)]))
+
+    def wait_for_rejection(self, *texts):
+        return self.client.wait_for_diagnostics(
+            lambda s: any(v.key == 'Last rejection' and all(text in v.value for text in texts) for v in s.values),
+            'a rejection with %s' % (texts,))
 
     def cloud(self, stamp):
         return self.camera.cloud(self.camera.render(self.boxes), stamp)
@@ -120,10 +126,25 @@ class TransformsTest(unittest.TestCase):
         self.assertEqual(answer['floor'].status, NOT_FOUND)
         # Everything for this stamp is published at once: what is not there now will not come.
         self.assertLessEqual(set(self.client.answered(stamp)), {'floor', 'floor_coefficients', 'markers'})
-        self.client.wait_for_log('no transform from', "'unknown_camera'", "'odom'", '%d.' % stamp.secs)
-        status = self.client.wait_for_diagnostics(
-            lambda s: any(v.key == 'Last rejection' and 'unknown_camera' in v.value for v in s.values), 'the rejection')
+        status = self.wait_for_rejection('no transform from', "'unknown_camera'", "'odom'", '%d.' % stamp.secs)
         self.assertGreater(int(next(v.value for v in status.values if v.key == 'Frames rejected')), 0)
+
+        # The log is throttled, so that the frame may have to come again.
+        def complained():
+            self.client.send(self.camera.cloud(self.camera.render(self.boxes), self.clock.tick(), frame='unknown_camera'))
+            return any('no transform from' in log.msg and "'unknown_camera'" in log.msg for log in self.client.logs)
+        self.client.wait_for(complained, 'a complaint in the log')
+
+    def test_a_seed_of_two_minutes_ago_is_none(self):
+        before, stamp, after = self.clock.tick(), self.clock.tick(), self.clock.tick()
+        self.send_pose(before, 0, 0, 0)
+        self.send_pose(after, 0, 0, 0)
+        self.assertEqual(self.client.ask(self.cloud(stamp))['floor'].status, FOUND)
+        self.client.reset()
+        stamp = self.clock.tick(120.0)
+        self.client.send(self.cloud(stamp))
+        self.assertEqual(self.client.answer(stamp, ['floor'])['floor'].status, NOT_FOUND)
+        self.wait_for_rejection('no transform from', 'extrapolation', '%d.' % stamp.secs)
 
     def test_a_floor_without_a_place_is_published_alone(self):
         # The seed is there once; then localisation stops.
@@ -134,10 +155,13 @@ class TransformsTest(unittest.TestCase):
         self.clock.tick(0.2)
         lost = self.clock.tick()
         self.client.send(self.cloud(lost))
-        answer = self.client.answer(lost, IN_INPUT_FRAME)
+        answer = self.client.answer(lost, [*IN_INPUT_FRAME, 'markers'])
         self.assertEqual(answer['floor'].status, FOUND)
+        actions = {m.ns: m.action for m in answer['markers'].markers}
+        self.assertEqual(actions, {'polygons/fill': Marker.DELETE, 'polygons/outline': Marker.DELETE,
+                                   'floor/normal': Marker.ADD, 'floor/hull': Marker.ADD}, 'the polygons before are gone')
         self.assertLessEqual(set(self.client.answered(lost)), {*IN_INPUT_FRAME, 'markers'})
-        self.client.wait_for_log('no transform from', 'extrapolation', '%d.' % lost.secs)
+        self.wait_for_rejection('no transform from', 'extrapolation', '%d.' % lost.secs)
 
 
 if __name__ == '__main__':
