@@ -5,7 +5,6 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/image_encodings.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -65,14 +64,16 @@ sensor_msgs::CameraInfo makeInfo()
   return info;
 }
 
-/// [MB] of a process that are in memory.
-double residentMemory(int process)
+/// [MB] that a process has taken for itself. Pages of its files come and go with the machine's needs.
+double privateMemory(int process)
 {
-  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
-  double total = 0.0;
-  double resident = 0.0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  double kilobytes = 0.0;
+  for (std::string key; file >> key;) {
+    double value = 0.0;
+    if ((key == "RssAnon:" || key == "VmSwap:") && file >> value) kilobytes += value;
+  }
+  return kilobytes * 1024e-6;
 }
 
 /// The memory of a process over time.
@@ -81,7 +82,7 @@ class MemoryRecord
 public:
   explicit MemoryRecord(int process) : process_(process) {}
 
-  void look(double time) { entries_.push_back({time, residentMemory(process_)}); }
+  void look(double time) { entries_.push_back({time, privateMemory(process_)}); }
 
   /// [MB/h] of the line through the entries from `begin` [s] on.
   double slope(double begin) const
