@@ -8,6 +8,7 @@ namespace polygonal_perception {
 void require(bool holds, const char* what);
 
 /// What holds of the result of every frame, whatever it showed.
-void requireSound(const Pipeline::Result& result);
+/// @param parameters  of the floor that the frame may have shown
+void requireSound(const Pipeline::Result& result, const FloorDetector::Parameters& parameters = {});
 
 }  // namespace polygonal_perception

@@ -26,6 +26,7 @@ class ReloadTest(unittest.TestCase):
         for name, kind in (('load_nodelet', NodeletLoad), ('unload_nodelet', NodeletUnload), ('list', NodeletList)):
             rospy.wait_for_service('/manager/' + name, DEADLINE)
             cls.services[name] = rospy.ServiceProxy('/manager/' + name, kind)
+        cls.lives = rospy.get_param('~lives')
         cls.client = NodeClient(outputs=(), runs=False)
         cls.camera, cls.clock = scene.Camera(), Clock()
         cls.cloud = cls.camera.cloud(cls.camera.render([scene.Box((1.82, 2.22), (-0.38, 0.12), (0, 0.3))]), cls.clock.now)
@@ -72,7 +73,7 @@ class ReloadTest(unittest.TestCase):
 
     def test_every_life_ends_cleanly(self):
         self.client.read('polygons')
-        for life in range(rospy.get_param('~lives')):
+        for life in range(self.lives):
             self.load()
             if life % 3 == 2:
                 # It lives until it has answered; the others end at once.
@@ -165,6 +166,28 @@ class ReloadTest(unittest.TestCase):
                 self.wait_for_floors(1, 'an answer whatever the parameters', status=(FOUND, FloorPlane.NOT_FOUND))
             self.unload()
         rospy.delete_param(NODE)
+
+    def test_parameters_that_are_deleted_or_garbled_change_nothing(self):
+        rospy.set_param(NODE + '/diagnostic_period', 0.05)
+        self.load()
+        self.wait_for_floors()
+        for value in BAD_VALUES:
+            # The one parameter that is read again and again.
+            rospy.set_param(NODE + '/diagnostic_period', value)
+            reports = len(self.client.diagnostics)
+            self.client.wait_for(lambda: len(self.client.diagnostics) > reports + 2, 'reports with %s' % value)
+        for value in (5, 'text', [1, 2], {'a': 'b'}):
+            rospy.set_param(NODE, value)
+            self.wait_for_floors(what='a floor where the namespace is %s' % value)
+        # As rosparam delete / does.
+        for name in {name.split('/')[1] for name in rospy.get_param_names()}:
+            rospy.delete_param('/' + name)
+        self.wait_for_floors(what='a floor without parameters')
+        self.unload()
+        self.load()
+        self.wait_for_floors(what='a floor after a start without parameters')
+        self.assertEqual(rospy.get_param(NODE + '/robot_radius'), 0.3)
+        self.unload()
 
     def test_the_camera_goes_away_and_comes_back_with_another_size(self):
         self.load()
