@@ -146,6 +146,18 @@ class TransformsTest(unittest.TestCase):
         self.assertEqual(self.client.answer(stamp, ['floor'])['floor'].status, NOT_FOUND)
         self.wait_for_rejection('no transform from', 'extrapolation', '%d.' % stamp.secs)
 
+    def test_transforms_of_before_a_jump_back_are_forgotten(self):
+        stamps = [self.clock.tick() for _ in range(6)]
+        for stamp in stamps:
+            self.send_pose(stamp, 1.0, 2.0, 0.0)
+        self.client.ask(self.cloud(stamps[4]))
+        # The second run of a simulation, say: where the robot was at this time in the first one says nothing.
+        self.client.send(self.cloud(stamps[2]))
+        answer = self.client.answer(stamps[2], ['floor', 'floor_coefficients', 'markers'])
+        self.assertEqual(answer['floor'].status, NOT_FOUND)
+        self.assertLessEqual(set(self.client.answered(stamps[2])), {'floor', 'floor_coefficients', 'markers'})
+        self.wait_for_rejection('no transform from', '%d.' % stamps[2].secs)
+
     def test_a_floor_without_a_place_is_published_alone(self):
         # The seed is there once; then localisation stops.
         before, stamp, after = self.clock.tick(), self.clock.tick(), self.clock.tick()
