@@ -1,10 +1,8 @@
 #include "polygonal_perception/ros/polygonal_perception_ros.hpp"
 
 #include <ros/console.h>
-#include <ros/names.h>
 
 #include <exception>
-#include <stdexcept>
 #include <vector>
 
 #include "diagnostic_period.hpp"
@@ -29,6 +27,17 @@ NodeParameters readParameters(const ros::NodeHandle& private_handle)
   return parameters;
 }
 
+/// A callback that runs `update` inside the gate and ends the subscriptions that are over outside of it.
+template <class Update>
+auto endingOutside(const std::shared_ptr<CallbackGate>& gate, Update update)
+{
+  return [gate, update](const auto&...) {
+    CameraSubscription::Ended ended;
+    const auto inside = gate->enter();
+    if (inside.owns_lock()) ended = update();
+  };
+}
+
 }  // namespace
 
 PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
@@ -38,11 +47,16 @@ PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
       name_(private_handle.getNamespace()),
       parameters_(readParameters(private_handle)),
       log_(name_),
+      camera_(handle, name_, parameters_.input, gate_,
+              {[this](const InputFrame& frame) { onFrame(frame); },
+               [this](const sensor_msgs::CameraInfoConstPtr& info) { onCameraInfo(info); }}),
       updater_(handle, private_handle, name_)
 {
+  CameraSubscription::Ended ended;
   // Readers may come before everything stands: their callbacks wait outside.
   const auto inside = gate_->enter();
-  outputs_ = std::make_unique<Outputs>(private_handle_, gated(gate_, [this] { updateSubscription(); }));
+  outputs_ = std::make_unique<Outputs>(private_handle_,
+                                       endingOutside(gate_, [this] { return updateSubscription(); }));
   processor_ = std::make_unique<FrameProcessor>(parameters_, handle_.resolveName(topics::kCameraInfo),
                                                 *outputs_, statistics_, log_);
   reconfigure_ = std::make_unique<ReconfigureServer>(
@@ -55,7 +69,7 @@ PolygonalPerceptionRos::PolygonalPerceptionRos(const ros::NodeHandle& handle,
   waiting_timer_ = handle_.createWallTimer(
       ros::WallDuration(kWaitingPeriod),
       gated(gate_, [this](const ros::WallTimerEvent&) { processWaiting(); }), kOneShot, kStarted);
-  updateSubscription();
+  ended = updateSubscription();
 }
 
 PolygonalPerceptionRos::~PolygonalPerceptionRos()
@@ -84,80 +98,39 @@ void PolygonalPerceptionRos::startDiagnostics()
   updater_.setHardwareID("none");
   updater_.add("frames", this, &PolygonalPerceptionRos::diagnose);
   // By the wall clock: a bag that stands still is worth a report too.
-  diagnostics_timer_ =
-      handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
-                              gated(gate_, [this](const ros::WallTimerEvent&) { report(); }));
+  diagnostics_timer_ = handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
+                                               endingOutside(gate_, [this] { return report(); }));
 }
 
-void PolygonalPerceptionRos::report()
+CameraSubscription::Ended PolygonalPerceptionRos::report()
 {
   ensureDiagnosticPeriod(private_handle_);
-  if (!subscription_error_.empty()) updateSubscription();
+  CameraSubscription::Ended ended;
+  if (!camera_.error().empty()) ended = updateSubscription();
   // It adds its period to the clock, which throws at the end of ROS's time.
   try {
     updater_.force_update();
   } catch (const std::exception& error) {
     log_.error("diagnostics", std::string("no diagnostics: ") + error.what());
   }
+  return ended;
 }
 
-void PolygonalPerceptionRos::updateSubscription()
+CameraSubscription::Ended PolygonalPerceptionRos::updateSubscription()
 {
   const bool wanted = !parameters_.lazy || outputs_->hasReaders();
-  subscription_error_.clear();
-  if (!wanted && subscribed_) unsubscribe();
-  if (!wanted || subscribed_) return;
-  // roscpp throws where somebody in this process reads the same topic as another type; out of a callback that
-  // would take the manager down.
-  try {
-    subscribe();
-  } catch (const std::exception& error) {
-    unsubscribe();
-    subscription_error_ = error.what();
-    log_.error("subscription", "cannot subscribe to " + subscription_error_);
+  if (!wanted) {
+    waiting_timer_.stop();
+    waiting_.clear();
+    return camera_.stop();
   }
-}
-
-void PolygonalPerceptionRos::subscribe()
-{
+  if (camera_.active()) return {};
   // A floor from before the pause may be one of another room.
   processor_->forgetFloor();
   statistics_.interrupt();
-  const auto subscribe = [this](auto message, const char* topic, auto action) {
-    using Message = decltype(message);
-    // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names
-    // fall into the manager's namespace, past the nodelet's remappings.
-    const std::string name = ros::names::append(ros::names::parentNamespace(name_), topic);
-    try {
-      return handle_.subscribe<Message>(name, topics::kInputQueueSize, gated(gate_, action), nullptr,
-                                        ros::TransportHints().tcpNoDelay());
-    } catch (const std::exception& error) {
-      throw std::runtime_error(handle_.resolveName(name) + ": " + error.what());
-    }
-  };
-  if (parameters_.input == "depth") {
-    camera_info_ = subscribe(sensor_msgs::CameraInfo(), topics::kCameraInfo,
-                             [this](const sensor_msgs::CameraInfoConstPtr& info) { onCameraInfo(info); });
-    frames_ =
-        subscribe(sensor_msgs::Image(), topics::kDepthImage, [this](const sensor_msgs::ImageConstPtr& image) {
-          onFrame({nullptr, image});
-        });
-  } else {
-    frames_ = subscribe(sensor_msgs::PointCloud2(), topics::kPoints,
-                        [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
-                          onFrame({cloud, nullptr});
-                        });
-  }
-  subscribed_ = true;
-}
-
-void PolygonalPerceptionRos::unsubscribe()
-{
-  frames_.shutdown();
-  camera_info_.shutdown();
-  waiting_timer_.stop();
-  waiting_.clear();
-  subscribed_ = false;
+  auto ended = camera_.start();
+  if (!camera_.active()) log_.error("subscription", "cannot subscribe to " + camera_.error());
+  return ended;
 }
 
 void PolygonalPerceptionRos::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
@@ -166,19 +139,8 @@ void PolygonalPerceptionRos::onCameraInfo(const sensor_msgs::CameraInfoConstPtr&
   processWaiting();
 }
 
-bool PolygonalPerceptionRos::isRepeated(const InputFrame& frame)
-{
-  const auto message = frame.message();
-  const bool repeated = !message.owner_before(last_message_) && !last_message_.owner_before(message);
-  last_message_ = message;
-  return repeated;
-}
-
 void PolygonalPerceptionRos::onFrame(const InputFrame& frame)
 {
-  // roscpp connects a publisher of the same process twice when it advertises while we subscribe, and then
-  // hands over each message twice.
-  if (isRepeated(frame)) return;
   checkClock();
   const std_msgs::Header& header = frame.header();
   if (header.stamp < last_stamp_) forgetTime("the frame's stamp is before the last one");
@@ -229,11 +191,11 @@ void PolygonalPerceptionRos::diagnose(diagnostic_updater::DiagnosticStatusWrappe
 {
   checkClock();
   NodeState state;
-  state.active = subscribed_;
-  state.subscription_error = subscription_error_;
-  state.awaited_topic = frames_.getTopic();
-  state.awaited_is_published = frames_.getNumPublishers() > 0;
-  if (subscribed_) {  // else the next frame will know nothing of the last floor
+  state.active = camera_.active();
+  state.subscription_error = camera_.error();
+  state.awaited_topic = camera_.topic();
+  state.awaited_is_published = camera_.isPublished();
+  if (camera_.active()) {  // else the next frame will know nothing of the last floor
     state.floor = processor_->floor();
     state.attitude = processor_->attitude();
   }

@@ -12,25 +12,13 @@
 #include "polygonal_perception/ros/camera_attitude.hpp"
 #include "polygonal_perception/ros/depth_input.hpp"
 #include "polygonal_perception/ros/frame_statistics.hpp"
+#include "polygonal_perception/ros/input_frame.hpp"
 #include "polygonal_perception/ros/node_parameters.hpp"
 #include "polygonal_perception/ros/outputs.hpp"
 #include "polygonal_perception/ros/tf_bridge.hpp"
 #include "polygonal_perception/ros/throttled_log.hpp"
 
 namespace polygonal_perception {
-
-/// A frame as it came in: a cloud or an image.
-struct InputFrame
-{
-  sensor_msgs::PointCloud2ConstPtr cloud;
-  sensor_msgs::ImageConstPtr image;
-
-  const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
-  boost::shared_ptr<const void> message() const
-  {
-    return cloud ? boost::shared_ptr<const void>(cloud) : boost::shared_ptr<const void>(image);
-  }
-};
 
 /// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the
 /// result.

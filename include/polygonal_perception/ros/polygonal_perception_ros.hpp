@@ -3,9 +3,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
-#include <ros/subscriber.h>
 #include <ros/wall_timer.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <std_srvs/Trigger.h>
 
 #include <deque>
@@ -13,6 +11,7 @@
 #include <string>
 
 #include "polygonal_perception/ros/callback_gate.hpp"
+#include "polygonal_perception/ros/camera_subscription.hpp"
 #include "polygonal_perception/ros/frame_processor.hpp"
 #include "polygonal_perception/ros/frame_statistics.hpp"
 #include "polygonal_perception/ros/node_parameters.hpp"
@@ -48,14 +47,11 @@ private:
   };
 
   void onFrame(const InputFrame& frame);
-  bool isRepeated(const InputFrame& frame);
   void onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void advertiseReset();
   void startDiagnostics();
-  void report();
-  void updateSubscription();
-  void subscribe();
-  void unsubscribe();
+  CameraSubscription::Ended report();
+  CameraSubscription::Ended updateSubscription();
   void processWaiting();
   void checkClock();
   void forgetTime(const std::string& reason);
@@ -71,17 +67,13 @@ private:
   std::unique_ptr<Outputs> outputs_;
   std::unique_ptr<FrameProcessor> processor_;
 
-  bool subscribed_ = false;
-  boost::weak_ptr<const void> last_message_;
-  std::string subscription_error_;  ///< why it is not, though somebody reads; tried again every report
+  CameraSubscription camera_;
   std::deque<WaitingFrame> waiting_;
   ros::Time last_stamp_;
   ros::Time last_now_;
 
   diagnostic_updater::Updater updater_;
   std::unique_ptr<ReconfigureServer> reconfigure_;
-  ros::Subscriber frames_;
-  ros::Subscriber camera_info_;
   ros::ServiceServer reset_;
   ros::WallTimer waiting_timer_;
   ros::WallTimer diagnostics_timer_;
