@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""openni2.launch with each of its drivers, on the virtual device, and the choice between them."""
+"""openni2.launch with each of its drivers, on the virtual device, and the choice between them.
+
+Where openni2_launch is installed, that is what runs, with openni2_camera; else a stand-in for it."""
 import functools
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
+import rospkg
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
@@ -40,6 +44,13 @@ projection_matrix: {rows: 3, cols: 4, data: [280.0, 0, 161.0, 0, 0, 281.0, 121.0
 '''
 
 
+def has_openni2_launch():
+    try:
+        return bool(rospkg.RosPack().get_path('openni2_launch'))
+    except rospkg.ResourceNotFound:
+        return False
+
+
 def loads(nodelet):
     """Whether a nodelet of another package can be loaded at all."""
     with Started('rosrun', 'nodelet', 'nodelet', 'manager', '__name:=probe'):
@@ -69,15 +80,20 @@ class OpenNI2DriversTest(unittest.TestCase):
 
     def setUp(self):
         runtime = rospy.get_param('~runtime')
-        plug = os.path.join(runtime, 'plug_of_drivers')
-        open(plug, 'w').close()
-        self.addCleanup(os.remove, plug)
+        self.plug = os.path.join(runtime, 'plug_of_drivers')
+        self.put_in()
+        self.addCleanup(os.remove, self.plug)
         self.environment = {
             'LD_LIBRARY_PATH': os.pathsep.join([runtime, os.environ.get('LD_LIBRARY_PATH', '')]),
-            'POLYGONAL_PERCEPTION_VIRTUAL_PLUG': plug,
+            'POLYGONAL_PERCEPTION_VIRTUAL_PLUG': self.plug,
         }
 
-    def install_stand_in(self):
+    def put_in(self):
+        open(self.plug, 'w').close()
+
+    def install_openni2_launch(self):
+        if has_openni2_launch():
+            return
         # Not in this package's folder, where roslaunch would find two files of one name.
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -118,6 +134,17 @@ class OpenNI2DriversTest(unittest.TestCase):
         return answers[0]['polygons']
 
     @staticmethod
+    def wait_for_silence(client):
+        """Until there has been no answer for a second."""
+        last = {}
+
+        def is_silent():
+            if last.get('count') != len(client.answers):
+                last.update(count=len(client.answers), time=time.monotonic())
+            return time.monotonic() > last['time'] + 1.0
+        client.wait_for(is_silent, 'the answers to end', 60.0)
+
+    @staticmethod
     def next_message(topic, kind):
         return rospy.wait_for_message(topic, kind, 60.0)
 
@@ -126,14 +153,14 @@ class OpenNI2DriversTest(unittest.TestCase):
         rospy.wait_for_service(MANAGER + '/list', DEADLINE)
         return set(rospy.ServiceProxy(MANAGER + '/list', NodeletList)().nodelets)
 
-    def is_stand_in(self):
+    def is_openni2_launch(self):
         return '/camera/depth_metric_rect' in self.nodelets()
 
     @needs_image_nodelets
     def test_builtin(self):
         self.launch(driver='builtin', depth_mode=8)
         self.check_polygons()
-        self.assertFalse(self.is_stand_in())
+        self.assertFalse(self.is_openni2_launch())
         self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '16UC1')
         self.assertEqual(self.next_message('/camera/depth/points', PointCloud2).width, 320)
 
@@ -155,52 +182,67 @@ class OpenNI2DriversTest(unittest.TestCase):
 
     @needs_image_nodelets
     def test_openni2_launch(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(driver='openni2_launch', depth_mode=11)
         self.check_polygons()
-        self.assertTrue(self.is_stand_in())
+        self.assertTrue(self.is_openni2_launch())
         self.assertEqual(self.next_message('/camera/depth/image_raw', Image).width, 160)
 
     @needs_image_nodelets
     def test_openni2_launch_registered(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(driver='openni2_launch', depth_mode=8, depth_registration='true')
         self.check_polygons(frame='camera_rgb_optical_frame')
 
     @needs_image_nodelets
+    def test_openni2_launch_while_the_camera_is_unplugged_and_back(self):
+        self.install_openni2_launch()
+        self.launch(driver='openni2_launch', depth_mode=8)
+        client = NodeClient(outputs=())
+        client.read('polygons')
+        for _ in range(2):
+            client.wait_for(lambda: client.answers, 'polygons', 60.0)
+            os.remove(self.plug)
+            self.wait_for_silence(client)
+            client.answers.clear()
+            self.put_in()
+        client.wait_for(lambda: client.answers, 'polygons', 60.0)
+
+    @needs_image_nodelets
     def test_openni2_launch_in_metres(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(driver='openni2_launch', depth_mode=8, image='camera/depth/image_rect')
         self.check_polygons()
         self.assertEqual(self.next_message('/camera/depth/image_rect', Image).encoding, '32FC1')
 
     @needs_image_nodelets
     def test_openni2_launch_with_clouds(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(driver='openni2_launch', depth_mode=8, input='cloud')
         self.check_polygons()
 
     @needs_image_nodelets
     def test_auto_takes_openni2_launch_where_it_is_installed(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(depth_mode=11)
         self.check_polygons()
-        self.assertTrue(self.is_stand_in())
+        self.assertTrue(self.is_openni2_launch())
         self.assertEqual(self.next_message('/camera/depth/image_raw', Image).width, 160)
 
+    @unittest.skipIf(has_openni2_launch(), 'openni2_launch is installed')
     def test_auto_takes_the_builtin_one_else(self):
         self.launch(depth_mode=8)
         self.check_polygons()
-        self.assertFalse(self.is_stand_in())
+        self.assertFalse(self.is_openni2_launch())
 
     def test_auto_takes_the_builtin_one_for_a_file(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(device_id=STAND_IN)
         NodeClient(outputs=()).wait_for(lambda: '/camera/driver' in self.nodelets(), 'the driver', 60.0)
-        self.assertFalse(self.is_stand_in())
+        self.assertFalse(self.is_openni2_launch())
 
     def test_auto_takes_the_one_that_runs(self):
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(package='openni2_launch')
         rospy.wait_for_service(MANAGER + '/list', 30.0)
         output = subprocess.check_output([sys.executable, CHOICE, 'camera:=camera'],
@@ -224,7 +266,7 @@ class OpenNI2DriversTest(unittest.TestCase):
     @needs_image_nodelets
     def test_a_driver_that_is_started_later(self):
         self.launch(start_driver='false')
-        self.install_stand_in()
+        self.install_openni2_launch()
         self.launch(package='openni2_launch')
         self.check_polygons()
 
