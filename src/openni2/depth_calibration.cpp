@@ -9,8 +9,9 @@ namespace {
 
 sensor_msgs::CameraInfo pinhole(const DepthFrame& frame)
 {
-  const double cx = frame.center_x;
-  const double cy = frame.center_y;
+  // Pixel centres lie at integers.
+  const double cx = 0.5 * (frame.width - 1.0);
+  const double cy = 0.5 * (frame.height - 1.0);
   const double f = frame.focal_length;
   sensor_msgs::CameraInfo info;
   info.width = frame.width;
@@ -43,6 +44,10 @@ sensor_msgs::CameraInfoPtr DepthCalibration::cameraInfo(const DepthFrame& frame,
     if (manager_->isCalibrated()) *info = manager_->getCameraInfo();
   }
   if (!fits(*info, frame)) *info = pinhole(frame);
+  info->K[2] += frame.offset_x;
+  info->K[5] += frame.offset_y;
+  info->P[2] += frame.offset_x;
+  info->P[6] += frame.offset_y;
   info->header = header;
   return info;
 }

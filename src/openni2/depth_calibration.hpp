@@ -13,7 +13,7 @@ namespace polygonal_perception {
 namespace openni2 {
 
 /// The camera_info of depth images: a calibration that camera_info_manager keeps, or that of a pinhole with
-/// the stream's field of view.
+/// the stream's field of view, of the camera that sees them; and their offset against its image.
 class DepthCalibration
 {
 public:

@@ -141,14 +141,10 @@ void DepthStream::setIntrinsics(DepthFrame& frame) const
 {
   const openni::VideoStream& seen_by = color_.isValid() ? color_ : stream_;
   frame.focal_length = 0.5 * frame.width / std::tan(0.5 * seen_by.getHorizontalFieldOfView());
-  frame.center_x = 0.5 * (frame.width - 1.0);
-  frame.center_y = 0.5 * (frame.height - 1.0);
-  if (!registered_) {
-    const double scale = frame.width / 640.0;
-    frame.center_x -= kCorrelationOffsetX * scale;
-    frame.center_y -= kCorrelationOffsetY * scale;
-  }
-  if (stream_.getMirroringEnabled()) frame.center_x = frame.width - 1.0 - frame.center_x;
+  if (registered_) return;
+  const double scale = frame.width / 640.0;
+  frame.offset_x = (stream_.getMirroringEnabled() ? 1.0 : -1.0) * kCorrelationOffsetX * scale;
+  frame.offset_y = -kCorrelationOffsetY * scale;
 }
 
 }  // namespace openni2

@@ -20,8 +20,8 @@ struct CollectedFrame
   std::uint32_t width;
   std::uint32_t height;
   double focal_length;  // [px]
-  double center_x;      // [px]
-  double center_y;      // [px]
+  double offset_x;      // [px]
+  double offset_y;      // [px]
   std::string serial;
   Depth depth;
 };
@@ -86,8 +86,8 @@ private:
                         frame.width,
                         frame.height,
                         frame.focal_length,
-                        frame.center_x,
-                        frame.center_y,
+                        frame.offset_x,
+                        frame.offset_y,
                         std::string(frame.serial),
                         {}};
     copy.depth.resize(std::size_t{frame.width} * frame.height);

@@ -176,7 +176,9 @@ class OpenNI2DriversTest(unittest.TestCase):
             self.launch(driver='builtin', depth_mode=8, depth_camera_info_url='file://' + folder + '/${NAME}.yaml')
             self.check_polygons()
             info = self.next_message('/camera/depth/camera_info', CameraInfo)
-        self.assertEqual(list(info.K), [280.0, 0, 161.0, 0, 281.0, 121.0, 0, 0, 1])
+        # That of the infrared camera, 2.5 and 2 pixels beside which the depth is.
+        self.assertEqual(list(info.K), [280.0, 0, 158.5, 0, 281.0, 119.0, 0, 0, 1])
+        self.assertEqual(list(info.P), [280.0, 0, 158.5, 0, 0, 281.0, 119.0, 0, 0, 0, 1, 0])
         self.assertEqual(info.D[0], 0.01)
         self.assertEqual(info.header.frame_id, 'camera_depth_optical_frame')
 

@@ -24,8 +24,8 @@ SourceOptions small()
 void compareIntrinsics(const CollectedFrame& frame, const simulation::PinholeCamera& camera)
 {
   EXPECT_NEAR(frame.focal_length, camera.fx, 1e-3);
-  EXPECT_NEAR(frame.center_x, camera.cx, 1e-9);
-  EXPECT_NEAR(frame.center_y, camera.cy, 1e-9);
+  EXPECT_NEAR(0.5 * (camera.width - 1.0) + frame.offset_x, camera.cx, 1e-9);
+  EXPECT_NEAR(0.5 * (camera.height - 1.0) + frame.offset_y, camera.cy, 1e-9);
 }
 
 class Source : public testing::Test

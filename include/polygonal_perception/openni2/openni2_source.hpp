@@ -33,10 +33,9 @@ struct DepthFrame
   std::uint32_t height = 0;            ///< [px]
   std::uint64_t timestamp = 0;         ///< [us] on the device's clock
   std::string_view serial;             ///< the device's serial number; empty where it tells none
-  // From the field of view of the camera that sees it. Pixels are square, their centres lie at integers.
-  double focal_length = 0.0;  ///< [px]
-  double center_x = 0.0;      ///< [px] the principal point
-  double center_y = 0.0;      ///< [px]
+  double focal_length = 0.0;           ///< [px] from its camera's field of view; the pixels are square
+  double offset_x = 0.0;               ///< [px] of the principal point against that of its camera
+  double offset_y = 0.0;               ///< [px]
 };
 
 enum class Severity
