@@ -6,7 +6,7 @@
 
 namespace polygonal_perception {
 
-void ensureDiagnosticPeriod(const ros::NodeHandle& private_handle)
+double ensureDiagnosticPeriod(const ros::NodeHandle& private_handle)
 {
   constexpr char kName[] = "diagnostic_period";
   constexpr Range kRange{0.01, 3600.0};
@@ -14,10 +14,11 @@ void ensureDiagnosticPeriod(const ros::NodeHandle& private_handle)
   double period = kDefault;
   private_handle.getParamCached(kName, period);
   // Written so that NaN fails.
-  if (period >= kRange.min && period <= kRange.max) return;
+  if (period >= kRange.min && period <= kRange.max) return period;
   ROS_ERROR_STREAM("parameter " << private_handle.resolveName(kName) << " is " << period << ", accepted is "
                                 << rangeText(kRange, "s") << "; it becomes " << kDefault);
   private_handle.setParam(kName, kDefault);
+  return kDefault;
 }
 
 }  // namespace polygonal_perception

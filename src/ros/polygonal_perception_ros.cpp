@@ -97,8 +97,9 @@ void PolygonalPerceptionRos::startDiagnostics()
 {
   updater_.setHardwareID("none");
   updater_.add("frames", this, &PolygonalPerceptionRos::diagnose);
-  // By the wall clock: a bag that stands still is worth a report too.
-  diagnostics_timer_ = handle_.createWallTimer(ros::WallDuration(updater_.getPeriod()),
+  // By the wall clock: a bag that stands still is worth a report too. The updater may have read another
+  // value, one that never ends, of a parameter that changes just now.
+  diagnostics_timer_ = handle_.createWallTimer(ros::WallDuration(ensureDiagnosticPeriod(private_handle_)),
                                                endingOutside(gate_, [this] { return report(); }));
 }
 

@@ -1,7 +1,11 @@
-"""A floor with boxes on it, seen by a depth camera: made and worked out here, apart from the code under test."""
+"""A floor with boxes on it, seen by a depth camera: made and worked out here, apart from the code under test.
+
+As a program it is such a camera.
+"""
 import math
 
 import numpy as np
+import rospy
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 
@@ -152,3 +156,13 @@ def inside(point, ring):
 
 def signed_area(ring):
     return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1])) / 2.0
+
+
+if __name__ == '__main__':
+    rospy.init_node('camera', anonymous=True)
+    view, rate = Camera(), rospy.Rate(30)
+    depth = view.render()
+    points = rospy.Publisher('/camera/depth/points', PointCloud2, queue_size=2)
+    while not rospy.is_shutdown():
+        points.publish(view.cloud(depth, rospy.Time.now()))
+        rate.sleep()

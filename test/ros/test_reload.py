@@ -10,6 +10,7 @@ import rostest
 from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
 
 import scene
+from launched import Started
 from node_client import DEADLINE, FOUND, Clock, NodeClient
 from polygonal_perception.msg import FloorPlane
 
@@ -31,18 +32,26 @@ class ReloadTest(unittest.TestCase):
         cls.camera, cls.clock = scene.Camera(), Clock()
         cls.cloud = cls.camera.cloud(cls.camera.render([scene.Box((1.82, 2.22), (-0.38, 0.12), (0, 0.3))]), cls.clock.now)
         cls.running = threading.Event()
+        cls.start_camera()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.stop_camera()
+
+    def tearDown(self):
+        for name in self.services['list']().nodelets:
+            self.services['unload_nodelet'](name=name)
+
+    @classmethod
+    def start_camera(cls):
         cls.running.set()
         cls.publisher = threading.Thread(target=cls.publish)
         cls.publisher.start()
 
     @classmethod
-    def tearDownClass(cls):
+    def stop_camera(cls):
         cls.running.clear()
         cls.publisher.join()
-
-    def tearDown(self):
-        for name in self.services['list']().nodelets:
-            self.services['unload_nodelet'](name=name)
 
     @classmethod
     def publish(cls):
@@ -174,8 +183,7 @@ class ReloadTest(unittest.TestCase):
         for value in BAD_VALUES:
             # The one parameter that is read again and again.
             rospy.set_param(NODE + '/diagnostic_period', value)
-            reports = len(self.client.diagnostics)
-            self.client.wait_for(lambda: len(self.client.diagnostics) > reports + 2, 'reports with %s' % value)
+            self.wait_for_floors(5, 'floors with a diagnostic_period of %s' % value)
         for value in (5, 'text', [1, 2], {'a': 'b'}):
             rospy.set_param(NODE, value)
             self.wait_for_floors(what='a floor where the namespace is %s' % value)
@@ -192,16 +200,25 @@ class ReloadTest(unittest.TestCase):
     def test_the_camera_goes_away_and_comes_back_with_another_size(self):
         self.load()
         self.wait_for_floors()
-        self.running.clear()
-        self.publisher.join()
+        self.stop_camera()
         self.client.publishers[0].unregister()
         small = scene.Camera(width=80, rows=60, focal_length=71.0)
         type(self).cloud = small.cloud(small.render(), self.clock.tick())
         self.client.publishers[0] = rospy.Publisher(CAMERA, type(self.cloud), queue_size=10)
-        type(self).publisher = threading.Thread(target=self.publish)
-        self.running.set()
-        self.publisher.start()
+        self.start_camera()
         self.wait_for_floors(5, 'floors of the new camera')
+        self.unload()
+
+    def test_the_camera_is_killed_and_started_again(self):
+        self.load()
+        self.stop_camera()
+        for _ in range(3):
+            with Started(sys.executable, scene.__file__) as camera:
+                self.wait_for_floors(5, 'floors of a camera that was started again')
+                camera.crash()
+        self.clock.now = rospy.Time.now()
+        self.start_camera()
+        self.wait_for_floors()
         self.unload()
 
 
