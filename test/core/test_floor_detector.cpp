@@ -139,7 +139,8 @@ TEST(FloorDetector, WhatTheFinerFitSaysLiesWithinTheBoundsToo)
   PlaneScene scene(160, 120, 142.5, 0.02);
   scene.add(floor);
   int found = 0;
-  for (double bound = 0.79; bound < 0.81; bound += 0.0005) {
+  for (int step = -20; step <= 20; ++step) {
+    const double bound = floor.distance + 0.0005 * step;
     FloorDetector::Parameters parameters;
     parameters.min_camera_height = bound;
     const auto above = detect(scene, seed(), parameters);
@@ -269,7 +270,7 @@ TEST(FloorDetector, LabelsSayWhatBecameOfEachSample)
   grid.update(scene.view());
   FloorDetector detector{FloorDetector::Parameters{}};
   ASSERT_TRUE(detector.detect(scene.view(), grid, seed()));
-  const auto label = [&](int i, int j) { return detector.labels()[static_cast<std::size_t>(32 * j + i)]; };
+  const auto label = [&](std::size_t i, std::size_t j) { return detector.labels()[32 * j + i]; };
   EXPECT_EQ(label(1, 1), SampleLabel::kNoPoint);
   EXPECT_EQ(label(16, 1), SampleLabel::kPruned);
   EXPECT_EQ(label(3, 28), SampleLabel::kSegment);
