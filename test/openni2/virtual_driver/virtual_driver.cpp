@@ -163,8 +163,13 @@ private:
   }
   void watch()
   {
+    // Not inside the mutex: OpenNI's own, which follow() takes, is locked when shutdown() is called.
+    while (!endsSoon()) follow();
+  }
+  bool endsSoon()
+  {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!changed_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ending_; })) follow();
+    return changed_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ending_; });
   }
 
   OniDeviceInfo info_;
