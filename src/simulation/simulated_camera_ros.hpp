@@ -43,8 +43,8 @@ private:
   std::unique_ptr<SimulatedCamera> camera_;
   SimulatedFrame frame_;
   std::uint32_t sequence_ = 0;  // of the last frame: roscpp numbers messages for other processes only
-  double min_height_ = 0.03;  // [m] of the obstacles in the truth
-  double max_height_ = 0.60;  // [m]
+  double min_height_ = 0.03;    // [m] of the obstacles in the truth
+  double max_height_ = 0.60;    // [m]
   bool publish_tf_ = true;
   std::string world_frame_;
   std::string base_frame_;
