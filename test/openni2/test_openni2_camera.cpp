@@ -89,8 +89,10 @@ std::vector<cv::Point2f> obstaclePoints(const simulation::SimulatedFrame& frame,
   for (std::size_t i = 0; i < frame.depth.size(); i += 3) {
     const double z = frame.truth.depth[i];
     if (std::isnan(frame.depth[i]) || std::isnan(z)) continue;
-    const double u = static_cast<double>(i % camera.width);
-    const double v = static_cast<double>(i / camera.width);
+    const std::size_t column = i % camera.width;
+    const std::size_t row = i / camera.width;
+    const double u = static_cast<double>(column);
+    const double v = static_cast<double>(row);
     const Eigen::Vector3d p =
         to_floor * Eigen::Vector3d((u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
     if (p.z() > 0.08 && p.z() < 0.55 && p.x() > 0.3 && p.x() < 4.5 && std::abs(p.y()) < 2.3)
