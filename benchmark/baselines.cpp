@@ -12,11 +12,10 @@
 #include <cstring>
 
 #include "camera_frames.hpp"
-#include "paper_algorithm.hpp"
-#include "paper_floor_detector.hpp"
+#include "reference/paper_floor_detector.hpp"
+#include "reference/paper_obstacle_detector.hpp"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -102,18 +101,18 @@ void organisedMultiPlane(benchmark::State& state)
 
 void paperPolygonisation(benchmark::State& state)
 {
-  PaperAlgorithm paper;
-  const PointView points = office().view(Input::kCloud16);
+  reference::PaperObstacleDetector paper;
+  const perception::PointView points = office().view(Input::kCloud16);
   for (auto _ : state) benchmark::DoNotOptimize(paper.process(points, office().floor()).data());
 }
 
 void wholePaper(benchmark::State& state)
 {
-  PaperAlgorithm polygonisation;
-  evaluation::PaperFloorDetector detector;
-  SampleGrid samples{SampleGrid::Parameters{}};
+  reference::PaperObstacleDetector polygonisation;
+  reference::PaperFloorDetector detector;
+  perception::SampleGrid samples{perception::SampleGrid::Parameters{}};
   Eigen::Vector3d up = office().floor().normal;
-  const PointView points = office().view(Input::kCloud16);
+  const perception::PointView points = office().view(Input::kCloud16);
   for (auto _ : state) {
     samples.update(points);
     const auto floor = detector.detect(samples, up);
@@ -136,7 +135,6 @@ BENCHMARK(paperPolygonisation)->Name("section IV of the paper")->Unit(benchmark:
 BENCHMARK(wholePaper)->Name("sections III and IV of the paper")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks
 
 BENCHMARK_MAIN();

@@ -2,11 +2,10 @@
 
 #include <cmath>
 
-#include "polygonal_perception/simulation/ray_caster.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "polygonal_perception/cameras/simulation/ray_caster.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 
 const char* nameOf(Input input)
 {
@@ -24,18 +23,19 @@ const char* nameOf(Input input)
 }
 
 CameraFrame::CameraFrame(const simulation::PinholeCamera& camera, const std::vector<float>& depth,
-                         const Plane& floor)
+                         const geometry::Plane& floor)
     : width_(camera.width),
       height_(camera.height),
       floor_(floor),
-      rays_(PinholeRays::make(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)),
+      rays_(perception::PinholeRays::make(camera.width, camera.height, camera.fx, camera.fy, camera.cx,
+                                          camera.cy)),
       millimetres_(depth.size()),
       metres_(depth),
       cloud16_(4 * depth.size()),
       cloud32_(8 * depth.size())
 {
   simulation::toMillimetres(depth, millimetres_.data());
-  const PointView points = view(Input::kDepthMetres);
+  const perception::PointView points = view(Input::kDepthMetres);
   for (std::uint32_t v = 0; v < height_; ++v) {
     for (std::uint32_t u = 0; u < width_; ++u) {
       const std::size_t k = std::size_t{v} * width_ + u;
@@ -46,24 +46,24 @@ CameraFrame::CameraFrame(const simulation::PinholeCamera& camera, const std::vec
   }
 }
 
-PointView CameraFrame::view(Input input) const
+perception::PointView CameraFrame::view(Input input) const
 {
-  PointView::CloudStrides strides;
+  perception::PointView::CloudStrides strides;
   switch (input) {
     case Input::kCloud16:
       strides.point_step = 4 * sizeof(float);
       strides.row_step = strides.point_step * width_;
-      return PointView::cloud(cloud16_.data(), width_, height_, strides);
+      return perception::PointView::cloud(cloud16_.data(), width_, height_, strides);
     case Input::kCloud32:
       strides.point_step = 8 * sizeof(float);
       strides.row_step = strides.point_step * width_;
-      return PointView::cloud(cloud32_.data(), width_, height_, strides);
+      return perception::PointView::cloud(cloud32_.data(), width_, height_, strides);
     case Input::kDepthMillimetres:
-      return PointView::depth(millimetres_.data(), sizeof(std::uint16_t) * width_, rays_);
+      return perception::PointView::depth(millimetres_.data(), sizeof(std::uint16_t) * width_, rays_);
     case Input::kDepthMetres:
-      return PointView::depth(metres_.data(), sizeof(float) * width_, rays_);
+      return perception::PointView::depth(metres_.data(), sizeof(float) * width_, rays_);
   }
-  return PointView();
+  return perception::PointView();
 }
 
 std::vector<std::unique_ptr<CameraFrame>> drive(Surroundings surroundings, std::uint32_t width,
@@ -94,5 +94,4 @@ std::vector<std::unique_ptr<CameraFrame>> drive(Surroundings surroundings, std::
   return frames;
 }
 
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks

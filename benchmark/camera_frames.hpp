@@ -4,12 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "polygonal_perception/plane.hpp"
-#include "polygonal_perception/point_view.hpp"
-#include "polygonal_perception/simulation/pinhole_camera.hpp"
+#include "polygonal_perception/cameras/simulation/pinhole_camera.hpp"
+#include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/perception/input/point_view.hpp"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 
 /// The shapes in which camera drivers publish a frame.
 enum class Input
@@ -27,14 +26,15 @@ class CameraFrame
 {
 public:
   /// @param depth  [m], NaN where there is no return
-  CameraFrame(const simulation::PinholeCamera& camera, const std::vector<float>& depth, const Plane& floor);
+  CameraFrame(const simulation::PinholeCamera& camera, const std::vector<float>& depth,
+              const geometry::Plane& floor);
   CameraFrame(const CameraFrame&) = delete;
   CameraFrame(CameraFrame&&) = delete;
   CameraFrame& operator=(const CameraFrame&) = delete;
   CameraFrame& operator=(CameraFrame&&) = delete;
   ~CameraFrame() = default;
 
-  PointView view(Input input) const;
+  perception::PointView view(Input input) const;
 
   /// The memory of a cloud.
   const std::vector<float>& cloud16() const { return cloud16_; }
@@ -42,13 +42,13 @@ public:
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
   /// The true floor, in the optical frame.
-  const Plane& floor() const { return floor_; }
+  const geometry::Plane& floor() const { return floor_; }
 
 private:
   std::uint32_t width_;
   std::uint32_t height_;
-  Plane floor_;
-  PinholeRays rays_;
+  geometry::Plane floor_;
+  perception::PinholeRays rays_;
   std::vector<std::uint16_t> millimetres_;
   std::vector<float> metres_;
   std::vector<float> cloud16_;
@@ -69,5 +69,4 @@ constexpr double kFramePeriod = 1.0 / 3.0;
 std::vector<std::unique_ptr<CameraFrame>> drive(Surroundings surroundings, std::uint32_t width,
                                                 std::uint32_t height, std::uint32_t count);
 
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks

@@ -25,8 +25,7 @@
 #include "polygonal_perception/FloorPlane.h"
 #include "polygonal_perception/PolygonArray.h"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -63,7 +62,7 @@ public:
   Camera()
   {
     for (const auto& frame : drive(Surroundings::kOffice, 640, 480, kFrames)) {
-      const PointView depth = frame->view(Input::kDepthMillimetres);
+      const perception::PointView depth = frame->view(Input::kDepthMillimetres);
       auto image = boost::make_shared<sensor_msgs::Image>();
       image->header.frame_id = kFrameId;
       image->width = depth.width();
@@ -244,8 +243,7 @@ int measure(double duration)
 }
 
 }  // namespace
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks
 
 int main(int argc, char** argv)
 {

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 
 /// The unit that speed is measured in: reads every byte once, as fast as the memory gives them. (The sum only
 /// keeps the compiler from leaving the reading out; there are more of them than it takes to hide the
@@ -25,5 +24,4 @@ inline std::uint64_t readPass(const void* data, std::size_t size)
   return sum;
 }
 
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks

@@ -8,11 +8,10 @@
 #include <cstdlib>
 
 #include "camera_frames.hpp"
-#include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
 #include "read_pass.hpp"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 namespace {
 
 constexpr int kRuns = 9;
@@ -40,17 +39,17 @@ double timeOf(Work&& work)
 class Subject
 {
 public:
-  explicit Subject(Input input) : input_(input), pipeline_(Pipeline::Parameters{}) {}
+  explicit Subject(Input input) : input_(input), pipeline_(perception::Pipeline::Parameters{}) {}
 
   /// Processes a frame and says how long that took.
   double operator()(const CameraFrame& camera_frame)
   {
-    Frame frame;
+    perception::Frame frame;
     frame.points = camera_frame.view(input_);
     frame.stamp = stamp_ += kFramePeriod;
     const double time = timeOf([&] { pipeline_.process(frame); });
-    const Pipeline::Result& result = pipeline_.result();
-    if (result.floor.status != FloorStatus::kFound || result.polygons.rings.empty()) {
+    const perception::Pipeline::Result& result = pipeline_.result();
+    if (result.floor.status != perception::FloorStatus::kFound || result.polygons.rings.empty()) {
       std::fprintf(stderr, "%s: a frame without floor or polygons: there is nothing to measure\n",
                    nameOf(input_));
       std::exit(EXIT_FAILURE);
@@ -61,23 +60,24 @@ public:
 
   void printStages() const
   {
-    const auto stage = [&](StageTimes::Duration StageTimes::*member) {
+    const auto stage = [&](perception::StageTimes::Duration perception::StageTimes::*member) {
       std::vector<double> times;
-      for (const StageTimes& t : times_) times.push_back(Microseconds(t.*member).count());
+      for (const perception::StageTimes& t : times_) times.push_back(Microseconds(t.*member).count());
       return median(times);
     };
     std::printf(
         "%-12s samples %5.1f us, floor %5.1f us, projection %5.1f us, inflation %5.1f us, polygons %5.1f "
         "us\n",
-        nameOf(input_), stage(&StageTimes::samples), stage(&StageTimes::floor),
-        stage(&StageTimes::projection), stage(&StageTimes::inflation), stage(&StageTimes::polygons));
+        nameOf(input_), stage(&perception::StageTimes::samples), stage(&perception::StageTimes::floor),
+        stage(&perception::StageTimes::projection), stage(&perception::StageTimes::inflation),
+        stage(&perception::StageTimes::polygons));
   }
 
 private:
   Input input_;
-  Pipeline pipeline_;
+  perception::Pipeline pipeline_;
   double stamp_ = 0.0;
-  std::vector<StageTimes> times_;
+  std::vector<perception::StageTimes> times_;
 };
 
 /// Each frame's median over the turns of a run, summed over the frames.
@@ -130,8 +130,7 @@ int measure()
 }
 
 }  // namespace
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks
 
 int main()
 {

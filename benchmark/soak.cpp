@@ -20,8 +20,7 @@
 #include "camera_frames.hpp"
 #include "polygonal_perception/PolygonArray.h"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -41,7 +40,7 @@ std::vector<sensor_msgs::Image> makeImages()
 {
   std::vector<sensor_msgs::Image> images;
   for (const auto& frame : drive(Surroundings::kOffice, 640, 480, kFrames)) {
-    const PointView depth = frame->view(Input::kDepthMillimetres);
+    const perception::PointView depth = frame->view(Input::kDepthMillimetres);
     sensor_msgs::Image& image = images.emplace_back();
     image.header.frame_id = kFrameId;
     image.width = depth.width();
@@ -162,8 +161,9 @@ public:
       return 1e3 *
              delays[std::min(delays.size() - 1, static_cast<std::size_t>(share * double(delays.size())))];
     };
-    std::printf("latency: median %.2f ms, 99 %% %.2f ms, 99.9 %% %.2f ms, longest %.2f ms\n", quantile(0.5),
-                quantile(0.99), quantile(0.999), 1e3 * delays.back());
+    std::printf("latency: median %.2f ms, 99 %% %.2f ms, 99.9 %% %.2f ms, longest %.2f ms\n",
+                reference::quantile(0.5), reference::quantile(0.99), reference::quantile(0.999),
+                1e3 * delays.back());
     return twice == 0 && unasked_ == 0;
   }
 
@@ -250,8 +250,7 @@ bool soak(int process, double duration, double rate)
 }
 
 }  // namespace
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks
 
 int main(int argc, char** argv)
 {

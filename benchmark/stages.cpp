@@ -9,13 +9,12 @@
 #include <tuple>
 
 #include "camera_frames.hpp"
-#include "polygonal_perception/floor_frame.hpp"
-#include "polygonal_perception/pipeline.hpp"
-#include "projection_kernel.hpp"
+#include "perception/grid/projection_kernel.hpp"
+#include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
 #include "read_pass.hpp"
 
-namespace polygonal_perception {
-namespace benchmarks {
+namespace polygonal_perception::benchmarks {
 namespace {
 
 struct Size
@@ -54,7 +53,7 @@ const CameraFrame& frameOf(Surroundings surroundings, const Size& size)
 
 Eigen::Isometry3d toFloorFrame(const CameraFrame& frame)
 {
-  return floorFrame(frame.floor(), Eigen::Vector3d::UnitZ());
+  return perception::floorFrame(frame.floor(), Eigen::Vector3d::UnitZ());
 }
 
 void countPixels(benchmark::State& state, const Size& size)
@@ -82,73 +81,76 @@ void copyOf(benchmark::State& state, const Size& size)
 
 void samplesOf(benchmark::State& state, Input input, int samples)
 {
-  SampleGrid grid(SampleGrid::Parameters{samples, samples});
-  const PointView points = frameOf(Surroundings::kOffice, kVga).view(input);
+  perception::SampleGrid grid(perception::SampleGrid::Parameters{samples, samples});
+  const perception::PointView points = frameOf(Surroundings::kOffice, kVga).view(input);
   for (auto _ : state) grid.update(points);
   state.counters["samples"] = samples * samples;
 }
 
 void floorOf(benchmark::State& state, Input input, int samples)
 {
-  SampleGrid grid(SampleGrid::Parameters{samples, samples});
-  FloorTracker tracker(FloorTracker::Parameters{}, FloorDetector::Parameters{});
-  const PointView points = frameOf(Surroundings::kOffice, kVga).view(input);
+  perception::SampleGrid grid(perception::SampleGrid::Parameters{samples, samples});
+  perception::FloorTracker tracker(perception::FloorTracker::Parameters{},
+                                   perception::FloorDetector::Parameters{});
+  const perception::PointView points = frameOf(Surroundings::kOffice, kVga).view(input);
   grid.update(points);
   double stamp = 0.0;
   for (auto _ : state) tracker.update(points, grid, stamp += kFramePeriod, std::nullopt);
-  if (tracker.state().status != FloorStatus::kFound) state.SkipWithError("no floor");
+  if (tracker.state().status != perception::FloorStatus::kFound) state.SkipWithError("no floor");
   state.counters["samples"] = samples * samples;
 }
 
 void projectionOf(benchmark::State& state, Input input, Surroundings surroundings, const Size& size,
-                  const ProjectionKernel& kernel, int min_points_per_cell)
+                  const perception::ProjectionKernel& kernel, int min_points_per_cell)
 {
-  Projection::Parameters parameters;
+  perception::Projection::Parameters parameters;
   parameters.min_points_per_cell = min_points_per_cell;
-  Projection projection(parameters, kernel);
+  perception::Projection projection(parameters, kernel);
   const CameraFrame& frame = frameOf(surroundings, size);
-  const PointView points = frame.view(input);
+  const perception::PointView points = frame.view(input);
   const Eigen::Isometry3d to_floor = toFloorFrame(frame);
-  BinaryGrid grid{GridGeometry(GridParameters{})};
+  perception::BinaryGrid grid{perception::GridGeometry(perception::GridParameters{})};
   for (auto _ : state) projection.project(points, to_floor, grid);
   countPixels(state, size);
 }
 
 void collectionOf(benchmark::State& state, Input input)
 {
-  Projection projection{Projection::Parameters{}};
+  perception::Projection projection{perception::Projection::Parameters{}};
   const CameraFrame& frame = frameOf(Surroundings::kOffice, kVga);
-  const PointView points = frame.view(input);
+  const perception::PointView points = frame.view(input);
   const Eigen::Isometry3d to_floor = toFloorFrame(frame);
   std::vector<Eigen::Vector3f> standing;
-  for (auto _ : state) projection.collect(points, to_floor, GridGeometry(GridParameters{}), standing);
+  for (auto _ : state)
+    projection.collect(points, to_floor, perception::GridGeometry(perception::GridParameters{}), standing);
   state.counters["points"] = static_cast<double>(standing.size());
 }
 
 /// The office's occupied cells.
-BinaryGrid occupancyOf(const CameraFrame& frame)
+perception::BinaryGrid occupancyOf(const CameraFrame& frame)
 {
-  BinaryGrid grid{GridGeometry(GridParameters{})};
-  Projection(Projection::Parameters{}).project(frame.view(Input::kCloud16), toFloorFrame(frame), grid);
+  perception::BinaryGrid grid{perception::GridGeometry(perception::GridParameters{})};
+  perception::Projection(perception::Projection::Parameters{})
+      .project(frame.view(Input::kCloud16), toFloorFrame(frame), grid);
   return grid;
 }
 
 void inflationOf(benchmark::State& state)
 {
-  const BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
-  Inflation inflation{Inflation::Parameters{}};
-  BinaryGrid inflated(occupancy.geometry());
+  const perception::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
+  perception::Inflation inflation{perception::Inflation::Parameters{}};
+  perception::BinaryGrid inflated(occupancy.geometry());
   for (auto _ : state) inflation.inflate(occupancy, inflated);
 }
 
 void polygonsOf(benchmark::State& state)
 {
-  const BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
-  const Inflation::Parameters inflation;
-  BinaryGrid inflated(occupancy.geometry());
-  Inflation(inflation).inflate(occupancy, inflated);
-  Polygonizer polygonizer{Polygonizer::Parameters{}};
-  PolygonSet polygons;
+  const perception::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
+  const perception::Inflation::Parameters inflation;
+  perception::BinaryGrid inflated(occupancy.geometry());
+  perception::Inflation(inflation).inflate(occupancy, inflated);
+  perception::Polygonizer polygonizer{perception::Polygonizer::Parameters{}};
+  geometry::PolygonSet polygons;
   for (auto _ : state) polygonizer.polygonize(occupancy, inflated, inflation.robot_radius, polygons);
   state.counters["vertices"] = static_cast<double>(polygons.vertices.size());
 }
@@ -156,16 +158,16 @@ void polygonsOf(benchmark::State& state)
 void pipelineOf(benchmark::State& state, Input input, Surroundings surroundings, const Size& size,
                 int samples)
 {
-  Pipeline::Parameters parameters;
-  parameters.samples = SampleGrid::Parameters{samples, samples};
-  Pipeline pipeline(parameters);
-  Frame frame;
+  perception::Pipeline::Parameters parameters;
+  parameters.samples = perception::SampleGrid::Parameters{samples, samples};
+  perception::Pipeline pipeline(parameters);
+  perception::Frame frame;
   frame.points = frameOf(surroundings, size).view(input);
   for (auto _ : state) {
     frame.stamp += kFramePeriod;
     pipeline.process(frame);
   }
-  if (pipeline.result().floor.status != FloorStatus::kFound) state.SkipWithError("no floor");
+  if (pipeline.result().floor.status != perception::FloorStatus::kFound) state.SkipWithError("no floor");
   countPixels(state, size);
   state.counters["samples"] = samples * samples;
 }
@@ -179,7 +181,7 @@ void add(std::initializer_list<std::string> name, Arguments&&... arguments)
 
 void registerAll()
 {
-  const ProjectionKernel& widest = projectionKernels().back();
+  const perception::ProjectionKernel& widest = perception::projectionKernels().back();
   for (const Size& size : kSizes) {
     add({"read_pass", size.name}, readPassOf, size);
     add({"memcpy", size.name}, copyOf, size);
@@ -199,7 +201,7 @@ void registerAll()
         add({"pipeline", of, nameOf(surroundings), size.name}, pipelineOf, input, surroundings, size, 32);
       }
     }
-    for (const ProjectionKernel& kernel : projectionKernels()) {
+    for (const perception::ProjectionKernel& kernel : perception::projectionKernels()) {
       add({"projection", of, "office", "VGA", kernel.name}, projectionOf, input, Surroundings::kOffice, kVga,
           kernel, 1);
     }
@@ -212,8 +214,7 @@ void registerAll()
 }
 
 }  // namespace
-}  // namespace benchmarks
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::benchmarks
 
 int main(int argc, char** argv)
 {

@@ -8,8 +8,7 @@
 
 #include "polygon_methods.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 namespace ps = CGAL::Polyline_simplification_2;
@@ -23,12 +22,12 @@ class CgalPolylines : public PolygonMethod
 {
 public:
   std::string name() const override { return "CGAL Polyline_simplification_2"; }
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
     Triangulation triangulation;
     std::vector<Triangulation::Constraint_id> rings;
     std::vector<Kernel::Point_2> points;
-    for (const PolygonSet::Ring& ring : task.outlines.rings) {
+    for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
       points.clear();
       for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k)
         points.emplace_back(task.outlines.vertices[k].x(), task.outlines.vertices[k].y());
@@ -57,5 +56,4 @@ std::unique_ptr<PolygonMethod> makeCgalMethod()
   return std::make_unique<CgalPolylines>();
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

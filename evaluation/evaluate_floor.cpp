@@ -13,11 +13,10 @@
 #include "floor_methods.hpp"
 #include "floor_picture.hpp"
 #include "floor_score.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
-#include "recorded_frames.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "reference/recorded_frames.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 using simulation::SimulatedCamera;
@@ -45,16 +44,16 @@ bool dropsOff(const std::string& scene)
   return scene == "stairs" || scene == "ledge";
 }
 
-void drawPicture(const std::string& folder, const std::string& name, const PointView& view,
+void drawPicture(const std::string& folder, const std::string& name, const perception::PointView& view,
                  const cv::Mat1f& depth, double max_camera_height)
 {
-  SampleGrid grid{SampleGrid::Parameters{}};
+  perception::SampleGrid grid{perception::SampleGrid::Parameters{}};
   grid.update(view);
-  FloorPrior prior;
+  perception::FloorPrior prior;
   prior.up = -Eigen::Vector3d::UnitY();
-  FloorDetector::Parameters parameters;
+  perception::FloorDetector::Parameters parameters;
   parameters.max_camera_height = max_camera_height;
-  FloorDetector detector(parameters);
+  perception::FloorDetector detector(parameters);
   detector.detect(view, grid, prior);
   cv::imwrite(folder + "/" + name + ".png", drawFloor(depth, grid, detector.labels()));
 }
@@ -62,23 +61,24 @@ void drawPicture(const std::string& folder, const std::string& name, const Point
 void run(const Options& options, const std::string& scene, const std::string& trajectory,
          std::vector<std::unique_ptr<FloorMethod>>& methods, std::vector<FloorScore>& scores)
 {
-  SimulatedCamera::Options camera_options;
+  simulation::SimulatedCamera::Options camera_options;
   camera_options.scene = scene;
   camera_options.trajectory = trajectory;
   camera_options.seed = options.seed;
-  SimulatedCamera camera(camera_options);
+  simulation::SimulatedCamera camera(camera_options);
   const auto& pinhole = camera_options.camera;
-  const PinholeRays rays =
-      PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
-  SampleGrid grid{SampleGrid::Parameters{}};
-  SimulatedFrame frame;
+  const perception::PinholeRays rays = perception::PinholeRays::make(
+      pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+  perception::SampleGrid grid{perception::SampleGrid::Parameters{}};
+  simulation::SimulatedFrame frame;
   for (auto& method : methods) method->reset();
   for (int k = 0; k < options.frames; ++k) {
     camera.render(static_cast<std::uint32_t>(k), frame);
-    const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+    const perception::PointView view =
+        perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
     grid.update(view);
-    const double highest =
-        dropsOff(scene) ? frame.floor.distance + kKnownHeight : FloorDetector::Parameters{}.max_camera_height;
+    const double highest = dropsOff(scene) ? frame.floor.distance + kKnownHeight
+                                           : perception::FloorDetector::Parameters{}.max_camera_height;
     for (std::size_t m = 0; m < methods.size(); ++m) {
       methods[m]->boundHeight(highest);
       if (independent(trajectory)) methods[m]->reset();
@@ -134,7 +134,7 @@ void evaluateRendered(const Options& options)
 void evaluateRecorded(const Options& options)
 {
   auto methods = makeFloorMethods();
-  const auto frames = listRecordedFrames(options.recorded);
+  const auto frames = reference::listRecordedFrames(options.recorded);
   for (const bool alone : {false, true}) {
     std::cout << (alone ? "\nRecorded, each frame from the initial up vector alone:\n"
                         : "\nRecorded, in their order with feedback:\n");
@@ -144,8 +144,8 @@ void evaluateRecorded(const Options& options)
       std::size_t k = first;
       for (auto& method : methods) method->reset();
       for (; k < frames.size() && frames[k].set == frames[first].set; ++k) {
-        const LoadedFrame loaded = load(frames[k]);
-        SampleGrid grid{SampleGrid::Parameters{}};
+        const reference::LoadedFrame loaded = reference::load(frames[k]);
+        perception::SampleGrid grid{perception::SampleGrid::Parameters{}};
         grid.update(loaded.view());
         for (std::size_t m = 0; m < methods.size(); ++m) {
           if (alone) methods[m]->reset();
@@ -157,7 +157,7 @@ void evaluateRecorded(const Options& options)
           std::string name = frames[k].name;
           for (char& c : name) c = c == '/' ? '_' : c;
           drawPicture(options.pictures, name, loaded.view(), loaded.depth,
-                      FloorDetector::Parameters{}.max_camera_height);
+                      perception::FloorDetector::Parameters{}.max_camera_height);
         }
       }
       printRows(frames[first].set, methods, scores);
@@ -202,8 +202,7 @@ bool parse(int argc, char** argv, Options& options)
 }
 
 }  // namespace
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation
 
 int main(int argc, char** argv)
 {

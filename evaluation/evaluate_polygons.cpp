@@ -10,22 +10,21 @@
 #include <string>
 #include <vector>
 
-#include "error_statistics.hpp"
 #include "inflation_methods.hpp"
 #include "occupancy_frames.hpp"
 #include "polygon_methods.hpp"
 #include "polygon_picture.hpp"
 #include "polygon_score.hpp"
-#include "polygonal_perception/inflation.hpp"
-#include "polygonal_perception/polygonizer.hpp"
+#include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "reference/error_statistics.hpp"
 #include "steadiness_table.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
-const double kRadius = Inflation::Parameters{}.robot_radius;
-const double kTolerance = Polygonizer::Parameters{}.simplification_tolerance;
+const double kRadius = perception::Inflation::Parameters{}.robot_radius;
+const double kTolerance = perception::Polygonizer::Parameters{}.simplification_tolerance;
 constexpr int kTurns = 9;
 
 struct Options
@@ -59,7 +58,7 @@ std::vector<double> mediansOf(Subjects& subjects, Work&& work)
   }
   std::vector<double> medians;
   medians.reserve(times.size());
-  for (auto& values : times) medians.push_back(quantile(values, 0.5));
+  for (auto& values : times) medians.push_back(reference::quantile(values, 0.5));
   return medians;
 }
 
@@ -71,10 +70,10 @@ void compareInflation(const std::vector<OccupancySet>& sets)
   std::vector<std::size_t> missing(methods.size());
   std::vector<std::size_t> extra(methods.size());
   std::vector<std::vector<double>> times(methods.size());
-  BinaryGrid inflated;
+  perception::BinaryGrid inflated;
   for (const OccupancySet& set : sets) {
-    for (const BinaryGrid& grid : set.grids) {
-      BinaryGrid expected;
+    for (const perception::BinaryGrid& grid : set.grids) {
+      perception::BinaryGrid expected;
       methods.front()->inflate(grid, expected);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         methods[m]->inflate(grid, inflated);
@@ -90,7 +89,7 @@ void compareInflation(const std::vector<OccupancySet>& sets)
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::printf("| %s | %zu | %zu | %.1f |\n", methods[m]->name().c_str(), missing[m], extra[m],
-                quantile(times[m], 0.5));
+                reference::quantile(times[m], 0.5));
   }
   std::fflush(stdout);
 }
@@ -100,10 +99,10 @@ void comparePolygons(const std::vector<OccupancySet>& sets)
   std::cout << "\nFrom the same inflated cells, robot_radius 0.30 m, simplification_tolerance 0.05 m:\n";
   printHead("frames of | method", PolygonScore::head(), "--- | " + PolygonScore::rule());
   auto methods = makePolygonMethods();
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   for (const OccupancySet& set : sets) {
     std::vector<PolygonScore> scores(methods.size());
-    for (const BinaryGrid& grid : set.grids) {
+    for (const perception::BinaryGrid& grid : set.grids) {
       const PolygonTask task = makePolygonTask(grid, kRadius, kTolerance);
       const PolygonReference reference = makePolygonReference(task);
       const auto medians =
@@ -136,11 +135,11 @@ void compareTimes(const std::vector<OccupancySet>& sets)
   Way paper{**inflate, **outline};
   Way own{*inflations.front(), *methods.front()};
   const std::vector<Way*> ways{&paper, &own};
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   for (const OccupancySet& set : sets) {
     std::vector<double> times[2];
     std::vector<double> ratios;
-    for (const BinaryGrid& grid : set.grids) {
+    for (const perception::BinaryGrid& grid : set.grids) {
       PolygonTask task = makePolygonTask(grid, kRadius, kTolerance);
       const auto medians = mediansOf(ways, [&](Way& way) {
         way.inflation.inflate(task.occupancy, task.inflated);
@@ -150,8 +149,9 @@ void compareTimes(const std::vector<OccupancySet>& sets)
       times[1].push_back(medians[1]);
       ratios.push_back(medians[1] / medians[0]);
     }
-    std::printf("| %s | %.1f | %.1f | %.2f | %.2f |\n", set.name.c_str(), quantile(times[0], 0.5),
-                quantile(times[1], 0.5), quantile(ratios, 0.5), quantile(ratios, 0.95));
+    std::printf("| %s | %.1f | %.1f | %.2f | %.2f |\n", set.name.c_str(), reference::quantile(times[0], 0.5),
+                reference::quantile(times[1], 0.5), reference::quantile(ratios, 0.5),
+                reference::quantile(ratios, 0.95));
   }
   std::fflush(stdout);
 }
@@ -163,7 +163,7 @@ void scoreSettings(const std::vector<OccupancySet>& sets)
   std::cout << "\nThis package, every fourth frame:\n";
   printHead("robot_radius | simplification_tolerance", PolygonScore::head(), "--: | " + PolygonScore::rule());
   auto methods = makePolygonMethods();
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   for (const double radius : {0.0, 0.05, 0.11, 0.225, 0.30}) {
     for (const double tolerance : {0.0, 0.03, 0.05, 0.15}) {
       PolygonScore score;
@@ -224,8 +224,7 @@ void evaluate(const Options& options)
 }
 
 }  // namespace
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation
 
 int main(int argc, char** argv)
 {

@@ -1,14 +1,13 @@
 #include "floor_methods.hpp"
 
-#include "paper_floor_detector.hpp"
+#include "reference/paper_floor_detector.hpp"
 
 #ifdef POLYGONAL_PERCEPTION_HAS_PCL
 #include <pcl/point_types.h>
 #include <pcl/segmentation/sac_segmentation.h>
 #endif
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 namespace {
 
@@ -21,18 +20,19 @@ public:
   void reset() override { tracker_.reset(); }
   void boundHeight(double highest) override
   {
-    FloorDetector::Parameters detector;
+    perception::FloorDetector::Parameters detector;
     detector.max_camera_height = highest;
     tracker_.configure({}, detector);
   }
-  Answer see(const PointView& points, const SampleGrid& grid, double stamp) override
+  Answer see(const perception::PointView& points, const perception::SampleGrid& grid, double stamp) override
   {
-    const FloorState& state = tracker_.update(points, grid, stamp, std::nullopt);
+    const perception::FloorState& state = tracker_.update(points, grid, stamp, std::nullopt);
     return {state.status, state.floor.plane};
   }
 
 private:
-  FloorTracker tracker_{FloorTracker::Parameters{}, FloorDetector::Parameters{}};
+  perception::FloorTracker tracker_{perception::FloorTracker::Parameters{},
+                                    perception::FloorDetector::Parameters{}};
 };
 
 /// A method without memory but for the up vector that it feeds back.
@@ -41,17 +41,19 @@ class Memoryless : public FloorMethod
 public:
   void reset() override { up_ = kInitialUp; }
   void boundHeight(double /*highest*/) override {}
-  Answer see(const PointView& points, const SampleGrid& grid, double /*stamp*/) override
+  Answer see(const perception::PointView& points, const perception::SampleGrid& grid,
+             double /*stamp*/) override
   {
     const auto plane = detect(points, grid, up_);
     if (!plane) return {};
     up_ = plane->normal;
-    return {FloorStatus::kFound, *plane};
+    return {perception::FloorStatus::kFound, *plane};
   }
 
 private:
-  virtual std::optional<Plane> detect(const PointView& points, const SampleGrid& grid,
-                                      const Eigen::Vector3d& up) = 0;
+  virtual std::optional<geometry::Plane> detect(const perception::PointView& points,
+                                                const perception::SampleGrid& grid,
+                                                const Eigen::Vector3d& up) = 0;
 
   Eigen::Vector3d up_ = kInitialUp;
 };
@@ -62,13 +64,14 @@ public:
   std::string name() const override { return "paper"; }
 
 private:
-  std::optional<Plane> detect(const PointView& /*points*/, const SampleGrid& grid,
-                              const Eigen::Vector3d& up) override
+  std::optional<geometry::Plane> detect(const perception::PointView& /*points*/,
+                                        const perception::SampleGrid& grid,
+                                        const Eigen::Vector3d& up) override
   {
     return detector_.detect(grid, up);
   }
 
-  PaperFloorDetector detector_;
+  reference::PaperFloorDetector detector_;
 };
 
 #ifdef POLYGONAL_PERCEPTION_HAS_PCL
@@ -79,8 +82,9 @@ public:
   std::string name() const override { return "PCL RANSAC"; }
 
 private:
-  std::optional<Plane> detect(const PointView& points, const SampleGrid& /*grid*/,
-                              const Eigen::Vector3d& up) override
+  std::optional<geometry::Plane> detect(const perception::PointView& points,
+                                        const perception::SampleGrid& /*grid*/,
+                                        const Eigen::Vector3d& up) override
   {
     // A sixteenth of the points: as dense as such pipelines downsample to, and a second's work less for each
     // frame.
@@ -104,7 +108,7 @@ private:
     pcl::ModelCoefficients model;
     segmentation.segment(inliers, model);
     if (model.values.size() != 4) return std::nullopt;
-    Plane plane{{model.values[0], model.values[1], model.values[2]}, model.values[3]};
+    geometry::Plane plane{{model.values[0], model.values[1], model.values[2]}, model.values[3]};
     if (plane.normal.dot(up) < 0.0) plane = {-plane.normal, -plane.distance};
     return plane;
   }
@@ -129,5 +133,4 @@ std::vector<std::unique_ptr<FloorMethod>> makeFloorMethods()
   return methods;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

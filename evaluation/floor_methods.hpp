@@ -6,19 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/floor_tracker.hpp"
-#include "polygonal_perception/plane.hpp"
-#include "polygonal_perception/point_view.hpp"
-#include "polygonal_perception/sample_grid.hpp"
+#include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/input/point_view.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// What a method says of a frame.
 struct Answer
 {
-  FloorStatus status = FloorStatus::kNotFound;
-  Plane plane;
+  perception::FloorStatus status = perception::FloorStatus::kNotFound;
+  geometry::Plane plane;
 };
 
 /// A way to find the floor in a sequence of frames.
@@ -31,12 +30,12 @@ public:
   virtual void reset() = 0;
   /// The camera is known to be no higher than this above its floor [m], where a method can make use of it.
   virtual void boundHeight(double highest) = 0;
-  virtual Answer see(const PointView& points, const SampleGrid& grid, double stamp) = 0;
+  virtual Answer see(const perception::PointView& points, const perception::SampleGrid& grid,
+                     double stamp) = 0;
 };
 
 /// This package's, the paper's and, where it was built with PCL, a RANSAC for a plane that is perpendicular
 /// to the up axis.
 std::vector<std::unique_ptr<FloorMethod>> makeFloorMethods();
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

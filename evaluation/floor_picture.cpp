@@ -2,10 +2,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
-cv::Mat3b drawFloor(const cv::Mat1f& depth, const SampleGrid& grid, const std::vector<SampleLabel>& labels)
+cv::Mat3b drawFloor(const cv::Mat1f& depth, const perception::SampleGrid& grid,
+                    const std::vector<perception::SampleLabel>& labels)
 {
   constexpr double kFarthest = 6.0;  // [m] shown white
   cv::Mat1f shown = depth.clone();
@@ -15,18 +15,18 @@ cv::Mat3b drawFloor(const cv::Mat1f& depth, const SampleGrid& grid, const std::v
   cv::Mat3b picture;
   cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
   for (std::size_t k = 0; k < labels.size(); ++k) {
-    const Sample& sample = grid.samples()[k];
+    const perception::Sample& sample = grid.samples()[k];
     cv::Scalar colour;
     switch (labels[k]) {
-      case SampleLabel::kNoPoint:
+      case perception::SampleLabel::kNoPoint:
         continue;
-      case SampleLabel::kPruned:
+      case perception::SampleLabel::kPruned:
         colour = cv::Scalar(60, 60, 220);
         break;
-      case SampleLabel::kSegment:
+      case perception::SampleLabel::kSegment:
         colour = cv::Scalar(230, 140, 30);
         break;
-      case SampleLabel::kFloor:
+      case perception::SampleLabel::kFloor:
         colour = cv::Scalar(60, 220, 60);
         break;
     }
@@ -35,5 +35,4 @@ cv::Mat3b drawFloor(const cv::Mat1f& depth, const SampleGrid& grid, const std::v
   return picture;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

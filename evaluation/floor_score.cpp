@@ -2,27 +2,26 @@
 
 #include <cstdio>
 
-#include "error_statistics.hpp"
+#include "reference/error_statistics.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
-void FloorScore::add(const Answer& answer, const std::optional<Plane>& truth, double floor_fraction)
+void FloorScore::add(const Answer& answer, const std::optional<geometry::Plane>& truth, double floor_fraction)
 {
   constexpr double kEnoughFloor = 0.02;
   ++frames_;
   const bool counts = truth && floor_fraction >= kEnoughFloor;
-  if (answer.status != FloorStatus::kFound) {
-    missed_ += counts && answer.status == FloorStatus::kNotFound ? 1 : 0;
-    held_ += counts && answer.status == FloorStatus::kHeld ? 1 : 0;
+  if (answer.status != perception::FloorStatus::kFound) {
+    missed_ += counts && answer.status == perception::FloorStatus::kNotFound ? 1 : 0;
+    held_ += counts && answer.status == perception::FloorStatus::kHeld ? 1 : 0;
     return;
   }
-  if (!truth || isWrong(answer.plane, *truth)) {
+  if (!truth || reference::isWrong(answer.plane, *truth)) {
     ++(counts ? wrong_ : guessed_);
     return;
   }
-  degrees_.push_back(normalError(answer.plane, *truth));
-  millimetres_.push_back(heightError(answer.plane, *truth));
+  degrees_.push_back(reference::normalError(answer.plane, *truth));
+  millimetres_.push_back(reference::heightError(answer.plane, *truth));
 }
 
 void FloorScore::add(const FloorScore& other)
@@ -40,9 +39,10 @@ std::string FloorScore::row() const
 {
   char text[256];
   std::snprintf(text, sizeof text, "%d | %.3f | %.3f | %.2f | %.2f | %.2f | %.1f | %d | %d | %d | %d |",
-                frames_, quantile(degrees_, 0.5), quantile(degrees_, 0.95), quantile(degrees_, 1.0),
-                quantile(millimetres_, 0.5), quantile(millimetres_, 0.95), quantile(millimetres_, 1.0),
-                wrong_, missed_, held_, guessed_);
+                frames_, reference::quantile(degrees_, 0.5), reference::quantile(degrees_, 0.95),
+                reference::quantile(degrees_, 1.0), reference::quantile(millimetres_, 0.5),
+                reference::quantile(millimetres_, 0.95), reference::quantile(millimetres_, 1.0), wrong_,
+                missed_, held_, guessed_);
   return text;
 }
 
@@ -56,5 +56,4 @@ std::string FloorScore::rule()
   return "--: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |";
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "floor_methods.hpp"
-#include "polygonal_perception/plane.hpp"
+#include "polygonal_perception/geometry/plane.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// Counts and errors of a method over a set of frames, as section "Floor" of the contract counts them.
 class FloorScore
@@ -15,7 +14,7 @@ class FloorScore
 public:
   /// @param truth           nothing where no floor is in view
   /// @param floor_fraction  of the image that is floor
-  void add(const Answer& answer, const std::optional<Plane>& truth, double floor_fraction);
+  void add(const Answer& answer, const std::optional<geometry::Plane>& truth, double floor_fraction);
   void add(const FloorScore& other);
 
   /// A row of a markdown table, without its first cells.
@@ -34,5 +33,4 @@ private:
   int guessed_ = 0;  // a wrong plane in a frame with less floor, or none
 };
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

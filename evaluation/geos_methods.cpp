@@ -6,8 +6,7 @@
 
 #include "polygon_methods.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 class GeosMethod : public PolygonMethod
@@ -20,7 +19,7 @@ public:
   GeosMethod& operator=(GeosMethod&&) = delete;
   ~GeosMethod() override { GEOS_finish_r(geos_); }
 
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
     GEOSGeometry* const outlines = makeOutlines(task.outlines);
     GEOSGeometry* const simplified = simplify(geos_, outlines, task);
@@ -43,7 +42,7 @@ private:
   virtual GEOSGeometry* simplify(GEOSContextHandle_t geos, const GEOSGeometry* outlines,
                                  const PolygonTask& task) const = 0;
 
-  GEOSGeometry* makeRing(const PolygonSet& polygons, const PolygonSet::Ring& ring) const
+  GEOSGeometry* makeRing(const geometry::PolygonSet& polygons, const geometry::PolygonSet::Ring& ring) const
   {
     GEOSCoordSequence* const points = GEOSCoordSeq_create_r(geos_, ring.size + 1, 2);
     for (std::uint32_t k = 0; k <= ring.size; ++k) {
@@ -53,7 +52,7 @@ private:
     return GEOSGeom_createLinearRing_r(geos_, points);
   }
 
-  GEOSGeometry* makeOutlines(const PolygonSet& outlines) const
+  GEOSGeometry* makeOutlines(const geometry::PolygonSet& outlines) const
   {
     std::vector<GEOSGeometry*> polygons;
     for (std::size_t r = 0; r < outlines.rings.size();) {
@@ -68,7 +67,7 @@ private:
                                        static_cast<unsigned>(polygons.size()));
   }
 
-  void read(const GEOSGeometry* ring, bool hole, PolygonSet& polygons)
+  void read(const GEOSGeometry* ring, bool hole, geometry::PolygonSet& polygons)
   {
     const GEOSCoordSequence* const points = GEOSGeom_getCoordSeq_r(geos_, ring);
     unsigned size = 0;
@@ -127,5 +126,4 @@ std::vector<std::unique_ptr<PolygonMethod>> makeGeosMethods()
   return methods;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

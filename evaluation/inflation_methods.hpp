@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/binary_grid.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// A way to grow occupied cells by the robot's radius.
 class InflationMethod
@@ -15,12 +14,11 @@ class InflationMethod
 public:
   virtual ~InflationMethod() = default;
   virtual std::string name() const = 0;
-  virtual void inflate(const BinaryGrid& occupancy, BinaryGrid& inflated) = 0;
+  virtual void inflate(const perception::BinaryGrid& occupancy, perception::BinaryGrid& inflated) = 0;
 };
 
 /// This package, two others that give the same cells, and the paper's, which does not.
 /// @param robot_radius  [m]
 std::vector<std::unique_ptr<InflationMethod>> makeInflationMethods(double robot_radius, double resolution);
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

@@ -2,23 +2,23 @@
 
 #include <random>
 
-#include "polygonal_perception/pipeline.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
-#include "random_grids.hpp"
-#include "recorded_frames.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+#include "reference/random_grids.hpp"
+#include "reference/recorded_frames.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 namespace {
 
-void add(Pipeline& pipeline, const PointView& view, double stamp, OccupancySet& set)
+void add(perception::Pipeline& pipeline, const perception::PointView& view, double stamp, OccupancySet& set)
 {
-  Frame frame;
+  perception::Frame frame;
   frame.points = view;
   frame.stamp = stamp;
-  const Pipeline::Result& result = pipeline.process(frame, Pipeline::Goal::kOccupancy);
-  if (result.floor.status != FloorStatus::kNotFound) set.grids.push_back(result.occupancy);
+  const perception::Pipeline::Result& result =
+      pipeline.process(frame, perception::Pipeline::Goal::kOccupancy);
+  if (result.floor.status != perception::FloorStatus::kNotFound) set.grids.push_back(result.occupancy);
 }
 
 }  // namespace
@@ -33,14 +33,14 @@ OccupancySet renderOccupancy(const std::string& scene, int drives, int frames_ea
     options.seed = 1 + static_cast<std::uint64_t>(drive);
     simulation::SimulatedCamera camera(options);
     const auto& pinhole = options.camera;
-    const PinholeRays rays =
-        PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
-    Pipeline pipeline{Pipeline::Parameters{}};
+    const perception::PinholeRays rays = perception::PinholeRays::make(
+        pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
     simulation::SimulatedFrame frame;
     for (int k = 0; k < frames_each; ++k) {
       camera.render(static_cast<std::uint32_t>(k) * kEvery, frame);
-      add(pipeline, PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays), frame.time,
-          set);
+      add(pipeline, perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays),
+          frame.time, set);
     }
   }
   return set;
@@ -49,10 +49,10 @@ OccupancySet renderOccupancy(const std::string& scene, int drives, int frames_ea
 OccupancySet readOccupancy(const std::string& frames_json)
 {
   OccupancySet set{"recorded", {}};
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   double stamp = 0.0;
-  for (const RecordedFrame& recorded : listRecordedFrames(frames_json)) {
-    const LoadedFrame loaded = load(recorded);
+  for (const reference::RecordedFrame& recorded : reference::listRecordedFrames(frames_json)) {
+    const reference::LoadedFrame loaded = reference::load(recorded);
     add(pipeline, loaded.view(), stamp += 1.0 / 30.0, set);
   }
   return set;
@@ -63,9 +63,8 @@ OccupancySet randomOccupancy(int count)
   OccupancySet set{"random grids", {}};
   std::mt19937 random(1);
   for (int n = 0; n < count; ++n)
-    set.grids.push_back(randomGrid(static_cast<unsigned>(n), 100, 100, 0.05, random));
+    set.grids.push_back(reference::randomGrid(static_cast<unsigned>(n), 100, 100, 0.05, random));
   return set;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

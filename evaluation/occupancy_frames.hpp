@@ -3,16 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/binary_grid.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// Occupancy grids of one kind of frames.
 struct OccupancySet
 {
   std::string name;
-  std::vector<BinaryGrid> grids;
+  std::vector<perception::BinaryGrid> grids;
 };
 
 /// Of a robot's drives through a scene, `drives` of them with a layout each.
@@ -22,5 +21,4 @@ OccupancySet readOccupancy(const std::string& frames_json);
 /// Grids of noise, blobs, lines, spirals and so on, 100 x 100 cells.
 OccupancySet randomOccupancy(int count);
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

@@ -3,29 +3,28 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "bit_grid.hpp"
-#include "outline.hpp"
-#include "polygonal_perception/inflation.hpp"
-#include "polygonal_perception/polygonizer.hpp"
+#include "perception/grid/bit_grid.hpp"
+#include "perception/polygons/outline.hpp"
+#include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/perception/polygons/polygonizer.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
-PolygonSet traceOutlines(const BinaryGrid& cells)
+geometry::PolygonSet traceOutlines(const perception::BinaryGrid& cells)
 {
-  BitGrid bits;
+  perception::BitGrid bits;
   bits.pack(cells);
-  Outlines outlines;
-  OutlineTracer().trace(bits, outlines);
-  const GridGeometry& geometry = cells.geometry();
-  const double unit = geometry.resolution / kUnitsPerCell;
-  PolygonSet polygons;
-  const auto add = [&](const Outlines::Ring& ring) {
+  perception::Outlines outlines;
+  perception::OutlineTracer().trace(bits, outlines);
+  const perception::GridGeometry& geometry = cells.geometry();
+  const double unit = geometry.resolution / perception::kUnitsPerCell;
+  geometry::PolygonSet polygons;
+  const auto add = [&](const perception::Outlines::Ring& ring) {
     std::vector<cv::Point2d> points;
     std::uint32_t vertex = ring.start;
     do {
-      const LatticePoint at = outlines.vertices[vertex].at;
+      const perception::LatticePoint at = outlines.vertices[vertex].at;
       points.emplace_back(geometry.origin_x + at.x * unit, geometry.origin_y + at.y * unit);
       vertex = outlines.vertices[vertex].next;
     } while (vertex != ring.start);
@@ -34,7 +33,7 @@ PolygonSet traceOutlines(const BinaryGrid& cells)
   for (std::size_t r = 0; r < outlines.rings.size(); ++r) {
     if (outlines.rings[r].hole) continue;
     add(outlines.rings[r]);
-    for (const Outlines::Ring& hole : outlines.rings) {
+    for (const perception::Outlines::Ring& hole : outlines.rings) {
       if (hole.hole && hole.parent == r) add(hole);
     }
   }
@@ -45,22 +44,25 @@ class ThisPackage : public PolygonMethod
 {
 public:
   std::string name() const override { return "this package"; }
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
     if (polygonizer_.parameters().simplification_tolerance != task.tolerance)
-      polygonizer_ = Polygonizer({task.tolerance});
+      polygonizer_ = perception::Polygonizer({task.tolerance});
     polygonizer_.polygonize(task.occupancy, task.inflated, task.robot_radius, polygons);
   }
 
 private:
-  Polygonizer polygonizer_{Polygonizer::Parameters{}};
+  perception::Polygonizer polygonizer_{perception::Polygonizer::Parameters{}};
 };
 
 class NotSimplified : public PolygonMethod
 {
 public:
   std::string name() const override { return "outlines, not simplified"; }
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override { polygons = task.outlines; }
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
+  {
+    polygons = task.outlines;
+  }
 };
 
 /// Douglas-Peucker on the outlines, ring by ring.
@@ -68,12 +70,12 @@ class DouglasPeucker : public PolygonMethod
 {
 public:
   std::string name() const override { return "cv::approxPolyDP"; }
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
-    const GridGeometry& geometry = task.inflated.geometry();
-    const double unit = geometry.resolution / kUnitsPerCell;
+    const perception::GridGeometry& geometry = task.inflated.geometry();
+    const double unit = geometry.resolution / perception::kUnitsPerCell;
     polygons.clear();
-    for (const PolygonSet::Ring& ring : task.outlines.rings) {
+    for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
       points_.clear();
       for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k) {
         points_.emplace_back(cvRound((task.outlines.vertices[k].x() - geometry.origin_x) / unit),
@@ -97,9 +99,9 @@ class PaperPolygons : public PolygonMethod
 {
 public:
   std::string name() const override { return "paper: findContours, approxPolyDP"; }
-  void polygonize(const PolygonTask& task, PolygonSet& polygons) override
+  void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
-    const GridGeometry& geometry = task.inflated.geometry();
+    const perception::GridGeometry& geometry = task.inflated.geometry();
     cells_.create(geometry.cells_y, geometry.cells_x);
     std::copy(task.inflated.cells().begin(), task.inflated.cells().end(), cells_.begin());
     cv::findContours(cells_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
@@ -124,10 +126,10 @@ private:
 
 }  // namespace
 
-double areaOf(const PolygonSet& polygons)
+double areaOf(const geometry::PolygonSet& polygons)
 {
   double twice = 0.0;
-  for (const PolygonSet::Ring& ring : polygons.rings) {
+  for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
     for (std::uint32_t k = 0; k < ring.size; ++k) {
       const Eigen::Vector2d& a = polygons.vertices[ring.first + k];
       const Eigen::Vector2d& b = polygons.vertices[ring.first + (k + 1) % ring.size];
@@ -137,15 +139,15 @@ double areaOf(const PolygonSet& polygons)
   return 0.5 * twice;
 }
 
-PolygonTask makePolygonTask(const BinaryGrid& occupancy, double robot_radius, double tolerance)
+PolygonTask makePolygonTask(const perception::BinaryGrid& occupancy, double robot_radius, double tolerance)
 {
   PolygonTask task;
   task.occupancy = occupancy;
   task.robot_radius = robot_radius;
   task.tolerance = tolerance;
-  Inflation({robot_radius}).inflate(occupancy, task.inflated);
+  perception::Inflation({robot_radius}).inflate(occupancy, task.inflated);
   task.outlines = traceOutlines(task.inflated);
-  PolygonSet own;
+  geometry::PolygonSet own;
   ThisPackage().polygonize(task, own);
   const double area = areaOf(task.outlines);
   task.added_share = area > 0.0 ? areaOf(own) / area - 1.0 : 0.0;
@@ -168,5 +170,4 @@ std::vector<std::unique_ptr<PolygonMethod>> makePolygonMethods()
   return methods;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

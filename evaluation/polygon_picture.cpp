@@ -9,11 +9,10 @@
 #include "inflation_methods.hpp"
 #include "occupancy_frames.hpp"
 #include "polygon_methods.hpp"
-#include "polygonal_perception/inflation.hpp"
-#include "polygonal_perception/polygonizer.hpp"
+#include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/perception/polygons/polygonizer.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 constexpr int kCell = 8;     // [px]
@@ -41,7 +40,7 @@ public:
   }
 
   /// Marks what is within the radius of an occupied cell and outside of the polygons.
-  void markUnsafe(const PolygonTask& task, const PolygonSet& polygons)
+  void markUnsafe(const PolygonTask& task, const geometry::PolygonSet& polygons)
   {
     cv::Mat1b free(picture_.size(), 1);
     for (int j = 0; j < geometry_.cells_y; ++j) {
@@ -54,16 +53,16 @@ public:
     const double unit = geometry_.resolution / kCell;
     cv::Mat1b unsafe = distance < task.robot_radius / unit - 0.5;
     std::vector<std::vector<cv::Point>> rings;
-    for (const PolygonSet::Ring& ring : polygons.rings) rings.push_back(pixels(polygons, ring));
+    for (const geometry::PolygonSet::Ring& ring : polygons.rings) rings.push_back(pixels(polygons, ring));
     cv::Mat1b inside(picture_.size(), 0);
     cv::fillPoly(inside, rings, 255, cv::LINE_8, kShift);
     unsafe.setTo(0, inside);
     picture_.setTo(kUnsafe, unsafe);
   }
 
-  void draw(const PolygonSet& polygons)
+  void draw(const geometry::PolygonSet& polygons)
   {
-    for (const PolygonSet::Ring& ring : polygons.rings) {
+    for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
       const auto points = pixels(polygons, ring);
       cv::polylines(picture_, points, true, kPolygon, 2, cv::LINE_AA, kShift);
       for (const cv::Point& point : points)
@@ -91,7 +90,7 @@ private:
   {
     return cv::Rect(picture_.cols - kCell * (j + 1), picture_.rows - kCell * (i + 1), kCell, kCell);
   }
-  void paint(const BinaryGrid& cells, const cv::Scalar& colour)
+  void paint(const perception::BinaryGrid& cells, const cv::Scalar& colour)
   {
     for (int j = 0; j < geometry_.cells_y; ++j) {
       for (int i = 0; i < geometry_.cells_x; ++i) {
@@ -99,7 +98,8 @@ private:
       }
     }
   }
-  std::vector<cv::Point> pixels(const PolygonSet& polygons, const PolygonSet::Ring& ring) const
+  std::vector<cv::Point> pixels(const geometry::PolygonSet& polygons,
+                                const geometry::PolygonSet::Ring& ring) const
   {
     std::vector<cv::Point> points;
     const double scale = kCell / geometry_.resolution * (1 << kShift);
@@ -111,7 +111,7 @@ private:
     return points;
   }
 
-  GridGeometry geometry_;
+  perception::GridGeometry geometry_;
   cv::Mat3b picture_;
   std::string title_;
 };
@@ -135,17 +135,20 @@ cv::Mat3b legend(int width)
 }
 
 /// The grid whose outlines have the most corners.
-const BinaryGrid& mostVaried(const std::vector<BinaryGrid>& grids)
+const perception::BinaryGrid& mostVaried(const std::vector<perception::BinaryGrid>& grids)
 {
-  const auto corners = [](const BinaryGrid& grid) {
-    return makePolygonTask(grid, Inflation::Parameters{}.robot_radius, 0.0).outlines.vertices.size();
+  const auto corners = [](const perception::BinaryGrid& grid) {
+    return makePolygonTask(grid, perception::Inflation::Parameters{}.robot_radius, 0.0)
+        .outlines.vertices.size();
   };
   return *std::max_element(grids.begin(), grids.end(),
-                           [&](const BinaryGrid& a, const BinaryGrid& b) { return corners(a) < corners(b); });
+                           [&](const perception::BinaryGrid& a, const perception::BinaryGrid& b) {
+                             return corners(a) < corners(b);
+                           });
 }
 
 /// The part of the picture that shows all inflated cells.
-cv::Range rowsOf(const BinaryGrid& inflated)
+cv::Range rowsOf(const perception::BinaryGrid& inflated)
 {
   constexpr int kAround = 3;  // [cells]
   int first = inflated.cellsX();
@@ -172,13 +175,13 @@ const auto& paperOf(const std::vector<std::unique_ptr<PolygonMethod>>& methods)
 void drawBeforeAndAfter(const std::string& file)
 {
   const OccupancySet office = renderOccupancy("office", kDrives, kFrames);
-  const double radius = Inflation::Parameters{}.robot_radius;
-  const double tolerance = Polygonizer::Parameters{}.simplification_tolerance;
+  const double radius = perception::Inflation::Parameters{}.robot_radius;
+  const double tolerance = perception::Polygonizer::Parameters{}.simplification_tolerance;
   PolygonTask task = makePolygonTask(mostVaried(office.grids), radius, tolerance);
   const auto methods = makePolygonMethods();
   const auto inflations = makeInflationMethods(radius, task.occupancy.geometry().resolution);
 
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   Panel after("This package", task);
   methods.front()->polygonize(task, polygons);
   after.markUnsafe(task, polygons);
@@ -198,5 +201,4 @@ void drawBeforeAndAfter(const std::string& file)
     throw std::runtime_error("cannot write " + file);
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

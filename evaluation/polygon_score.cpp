@@ -6,27 +6,26 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "douglas_peucker.hpp"
-#include "error_statistics.hpp"
-#include "polygon_checker.hpp"
+#include "reference/douglas_peucker.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/polygon_checker.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 constexpr double kMostVertices = 1.2;  // times the reference's
 
-CellLength inCells(double metres, double resolution)
+reference::CellLength inCells(double metres, double resolution)
 {
   constexpr int kDenominator = 1000;
   return {std::llround(metres / resolution * kDenominator), kDenominator};
 }
 
 /// Counted on a raster that is finer than the grid.
-double areaWithin(double radius, const BinaryGrid& occupancy)
+double areaWithin(double radius, const perception::BinaryGrid& occupancy)
 {
   constexpr int kFiner = 8;
-  const GridGeometry& geometry = occupancy.geometry();
+  const perception::GridGeometry& geometry = occupancy.geometry();
   cv::Mat1b free(geometry.cells_y, geometry.cells_x);
   std::transform(occupancy.cells().begin(), occupancy.cells().end(), free.begin(),
                  [](std::uint8_t cell) { return cell == 0 ? 1 : 0; });
@@ -42,16 +41,18 @@ double areaWithin(double radius, const BinaryGrid& occupancy)
 
 PolygonReference makePolygonReference(const PolygonTask& task)
 {
-  return {verticesOfDouglasPeucker(task.inflated, task.tolerance / task.inflated.geometry().resolution),
+  return {reference::verticesOfDouglasPeucker(task.inflated,
+                                              task.tolerance / task.inflated.geometry().resolution),
           areaWithin(task.robot_radius, task.occupancy)};
 }
 
-void PolygonScore::add(const PolygonTask& task, const PolygonReference& reference, const PolygonSet& polygons,
-                       double microseconds)
+void PolygonScore::add(const PolygonTask& task, const PolygonReference& reference,
+                       const geometry::PolygonSet& polygons, double microseconds)
 {
   const double resolution = task.inflated.geometry().resolution;
-  const PolygonChecker checker(task.occupancy, polygons, inCells(task.robot_radius, resolution),
-                               inCells(task.robot_radius + 1.5 * resolution + task.tolerance, resolution));
+  const reference::PolygonChecker checker(
+      task.occupancy, polygons, inCells(task.robot_radius, resolution),
+      inCells(task.robot_radius + 1.5 * resolution + task.tolerance, resolution));
   ++frames_;
   crossing_ += checker.notSimple() || checker.wrongNesting() ? 1 : 0;
   unsafe_ += checker.unsafe() ? 1 : 0;
@@ -100,9 +101,8 @@ std::string PolygonScore::row() const
   std::snprintf(
       text, sizeof text, "%zu | %zu | %.2f | %.2f | %.3f | %zu | %zu | %zu | %.1f |", frames_, vertices_,
       static_cast<double>(vertices_) / static_cast<double>(std::max<std::size_t>(1, reference_vertices_)),
-      worst_vertices_, area, crossing_, unsafe_, loose_, quantile(microseconds_, 0.5));
+      worst_vertices_, area, crossing_, unsafe_, loose_, reference::quantile(microseconds_, 0.5));
   return text;
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

@@ -5,8 +5,7 @@
 
 #include "polygon_methods.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// What all methods are held against on a frame.
 struct PolygonReference
@@ -22,7 +21,7 @@ class PolygonScore
 {
 public:
   /// @param microseconds  that the method took
-  void add(const PolygonTask& task, const PolygonReference& reference, const PolygonSet& polygons,
+  void add(const PolygonTask& task, const PolygonReference& reference, const geometry::PolygonSet& polygons,
            double microseconds);
   void add(const PolygonScore& other);
 
@@ -46,5 +45,4 @@ private:
   std::vector<double> microseconds_;
 };
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

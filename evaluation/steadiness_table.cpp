@@ -6,19 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "error_statistics.hpp"
-#include "hausdorff.hpp"
-#include "still_view.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/hausdorff.hpp"
+#include "reference/still_view.hpp"
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 namespace {
 
 constexpr int kMinPoints[] = {1, 2, 3, 5, 8};
 constexpr double kFar = 2.5;  // [m]
 constexpr std::uint64_t kViews = 3;
 
-bool anyNeighbourOccupied(const BinaryGrid& grid, int i, int j)
+bool anyNeighbourOccupied(const perception::BinaryGrid& grid, int i, int j)
 {
   for (int y = std::max(0, j - 1); y <= std::min(grid.cellsY() - 1, j + 1); ++y) {
     for (int x = std::max(0, i - 1); x <= std::min(grid.cellsX() - 1, i + 1); ++x) {
@@ -32,9 +31,9 @@ bool anyNeighbourOccupied(const BinaryGrid& grid, int i, int j)
 class Losses
 {
 public:
-  void add(const BinaryGrid& truth, const BinaryGrid& seen)
+  void add(const perception::BinaryGrid& truth, const perception::BinaryGrid& seen)
   {
-    const GridGeometry& geometry = truth.geometry();
+    const perception::GridGeometry& geometry = truth.geometry();
     for (int j = 0; j < truth.cellsY(); ++j) {
       for (int i = 0; i < truth.cellsX(); ++i) {
         if (!truth.occupied(i, j)) continue;
@@ -94,29 +93,31 @@ struct Steadiness
   }
   void print(const std::string& name, int min_points) const
   {
-    std::printf("| %s | %d | %.3f | %.3f | %.3f | %s\n", name.c_str(), min_points, quantile(moves, 0.5),
-                quantile(moves, 0.95), quantile(moves, 1.0), losses.row().c_str());
+    std::printf("| %s | %d | %.3f | %.3f | %.3f | %s\n", name.c_str(), min_points,
+                reference::quantile(moves, 0.5), reference::quantile(moves, 0.95),
+                reference::quantile(moves, 1.0), losses.row().c_str());
     std::fflush(stdout);
   }
 };
 
 /// Of the same frames for each of kMinPoints.
-std::vector<Steadiness> measure(StillView& view, int frames)
+std::vector<Steadiness> measure(reference::StillView& view, int frames)
 {
-  const BinaryGrid truth = Pipeline(Pipeline::Parameters{}).process(view.ideal()).occupancy;
-  std::vector<Pipeline> pipelines;
+  const perception::BinaryGrid truth =
+      perception::Pipeline(perception::Pipeline::Parameters{}).process(view.ideal()).occupancy;
+  std::vector<perception::Pipeline> pipelines;
   for (const int min_points : kMinPoints) {
-    Pipeline::Parameters parameters;
+    perception::Pipeline::Parameters parameters;
     parameters.projection.min_points_per_cell = min_points;
     pipelines.emplace_back(parameters);
   }
   std::vector<Steadiness> measured(pipelines.size());
-  std::vector<PolygonSet> last(pipelines.size());
+  std::vector<geometry::PolygonSet> last(pipelines.size());
   for (int k = 0; k < frames; ++k) {
-    const Frame frame = view.frame(static_cast<std::uint32_t>(k));
+    const perception::Frame frame = view.frame(static_cast<std::uint32_t>(k));
     for (std::size_t n = 0; n < pipelines.size(); ++n) {
-      const Pipeline::Result& result = pipelines[n].process(frame);
-      if (k > 0) measured[n].moves.push_back(hausdorffDistance(last[n], result.polygons));
+      const perception::Pipeline::Result& result = pipelines[n].process(frame);
+      if (k > 0) measured[n].moves.push_back(reference::hausdorffDistance(last[n], result.polygons));
       last[n] = result.polygons;
       measured[n].losses.add(truth, result.occupancy);
     }
@@ -139,7 +140,7 @@ void printSteadiness(int frames)
   for (const char* const scene : {"office", "busy_office", "person", "doorway", "corridor"}) {
     std::vector<Steadiness> of_scene(std::size(kMinPoints));
     for (std::uint64_t seed = 1; seed <= kViews; ++seed) {
-      StillView view(scene, seed);
+      reference::StillView view(scene, seed);
       const std::vector<Steadiness> of_view = measure(view, frames);
       for (std::size_t n = 0; n < of_view.size(); ++n) of_scene[n].add(of_view[n]);
     }
@@ -151,5 +152,4 @@ void printSteadiness(int frames)
   for (std::size_t n = 0; n < std::size(kMinPoints); ++n) all[n].print("all", kMinPoints[n]);
 }
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

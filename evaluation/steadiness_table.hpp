@@ -1,11 +1,9 @@
 #pragma once
 
-namespace polygonal_perception {
-namespace evaluation {
+namespace polygonal_perception::evaluation {
 
 /// Prints how far polygons move under the sensor's noise alone, and what is lost, over min_points_per_cell.
 /// @param frames  of each view
 void printSteadiness(int frames);
 
-}  // namespace evaluation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::evaluation

@@ -28,7 +28,7 @@ use_sanitizers() {
 # first. A workspace below ours has programs of their names that see to it. Our libraries come with it, since the
 # sanitizers name no function of what is loaded after their first report.
 preload() {
-  local workspace=$1/preloaded ours="$1/devel/lib/libpolygonal_perception*_ros.so" program original
+  local workspace=$1/preloaded ours="$1/devel/lib/libpolygonal_perception_*ros*.so" program original
   # LC_ALL: in any other locale rviz hangs in glibc under gcc 12's ThreadSanitizer.
   for program in nodelet rviz; do
     original=$(catkin_find --first-only --libexec $program $program) || continue

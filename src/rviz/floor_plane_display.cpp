@@ -1,4 +1,4 @@
-#include "floor_plane_display.hpp"
+#include "rviz/floor_plane_display.hpp"
 
 #include <rviz/properties/bool_property.h>
 #include <rviz/properties/color_property.h>
@@ -7,10 +7,10 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "message_geometry.hpp"
-#include "message_status.hpp"
+#include "rviz/message_geometry.hpp"
+#include "rviz/message_status.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -112,6 +112,6 @@ std::string FloorPlaneDisplay::text() const
   return (message_->status == FloorPlane::HELD ? height + " (held)" : height).toStdString();
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays
 
-PLUGINLIB_EXPORT_CLASS(polygonal_perception::FloorPlaneDisplay, rviz::Display)
+PLUGINLIB_EXPORT_CLASS(polygonal_perception::displays::FloorPlaneDisplay, rviz::Display)

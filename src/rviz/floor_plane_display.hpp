@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "floor_shape.hpp"
-#include "newest_message_display.hpp"
+#include "rviz/floor_shape.hpp"
+#include "rviz/newest_message_display.hpp"
 
 namespace rviz {
 class BoolProperty;
@@ -15,7 +15,7 @@ class EnumProperty;
 class FloatProperty;
 }  // namespace rviz
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// Shows a polygonal_perception/FloorPlane: the hull of its samples or a patch of the plane, the normal under
 /// the camera and the camera's height.
@@ -54,4 +54,4 @@ private:
   std::unique_ptr<FloorShape> shape_;
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,10 +1,10 @@
-#include "floor_shape.hpp"
+#include "rviz/floor_shape.hpp"
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <rviz/ogre_helpers/movable_text.h>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -71,7 +71,7 @@ void FloorShape::setArea(const std::vector<Eigen::Vector3d>& area, const FloorSt
   }
   mesh_.set(corners);
 
-  Outlines::Ring outline;
+  RingLines::Ring outline;
   outline.color = style.color;
   for (const Eigen::Vector3d& corner : area) outline.corners.push_back(toOgre(corner));
   outlines_.set({outline}, style.line_width);
@@ -86,4 +86,4 @@ void FloorShape::clear()
   text_.reset();
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "outlines.hpp"
-#include "triangle_mesh.hpp"
+#include "rviz/ring_lines.hpp"
+#include "rviz/triangle_mesh.hpp"
 
 namespace rviz {
 class MovableText;
 }
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// How a floor is drawn.
 struct FloorStyle
@@ -52,11 +52,11 @@ private:
 
   Ogre::SceneManager& scene_;
   TriangleMesh mesh_;
-  Outlines outlines_;
+  RingLines outlines_;
   Ogre::SceneNode* parent_;              ///< the display's
   Ogre::SceneNode* text_node_;           ///< the scene's
   std::unique_ptr<rviz::Arrow> normal_;  ///< null where it is not shown: rviz shows all that hangs on a node
   std::unique_ptr<rviz::MovableText> text_;
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,11 +1,11 @@
-#include "message_geometry.hpp"
+#include "rviz/message_geometry.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -15,7 +15,7 @@ bool isFinite(const geometry_msgs::Point32& p)
 }
 
 /// @return whether the ring could be drawn and was appended
-bool appendRing(const geometry_msgs::Polygon& ring, bool hole, PolygonSet& polygons)
+bool appendRing(const geometry_msgs::Polygon& ring, bool hole, geometry::PolygonSet& polygons)
 {
   if (ring.points.size() < 3 || !std::all_of(ring.points.begin(), ring.points.end(), isFinite)) return false;
   polygons.rings.push_back({static_cast<std::uint32_t>(polygons.vertices.size()),
@@ -31,9 +31,9 @@ Eigen::Vector3d normalOf(const FloorPlane& floor)
 
 }  // namespace
 
-std::optional<PolygonSet> toPolygonSet(const ObstaclePolygon& polygon)
+std::optional<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon)
 {
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   if (!appendRing(polygon.boundary, false, polygons)) return std::nullopt;
   for (const geometry_msgs::Polygon& hole : polygon.holes) {
     if (!appendRing(hole, true, polygons)) return std::nullopt;
@@ -82,4 +82,4 @@ std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size)
           middle - half * (forward + left), middle + half * (forward - left)};
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "polygonal_perception/polygon_set.hpp"
+#include "polygonal_perception/geometry/polygon_set.hpp"
 
 /// What messages say, as geometry to draw. A display draws what any node publishes: nothing is taken on trust
 /// here.
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// @return nothing if a ring has fewer than 3 vertices or a coordinate is not finite
-std::optional<PolygonSet> toPolygonSet(const ObstaclePolygon& polygon);
+std::optional<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon);
 
 /// Whether the normal is a unit vector and the distance and the hull are finite.
 bool isDrawable(const FloorPlane& floor);
@@ -31,4 +31,4 @@ std::vector<Eigen::Vector3d> hullOf(const FloorPlane& floor);
 /// @param size  [m] length of a side
 std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size);
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

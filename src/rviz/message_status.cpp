@@ -1,8 +1,8 @@
-#include "message_status.hpp"
+#include "rviz/message_status.hpp"
 
-#include "message_geometry.hpp"
+#include "rviz/message_geometry.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -71,4 +71,4 @@ StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed)
                                        vertices == 1 ? "1 vertex" : QString("%1 vertices").arg(vertices))};
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

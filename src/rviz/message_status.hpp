@@ -6,7 +6,7 @@
 
 #include <QString>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// A line of the status that rviz shows under a display.
 struct StatusLine
@@ -27,4 +27,4 @@ StatusLine floorStatus(const FloorPlane& floor);
 /// @param malformed  number of polygons that cannot be drawn; any is an error
 StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed);
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <deque>
 
-#include "placement.hpp"
+#include "rviz/placement.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// Once a frame of rviz, draws the newest message that has arrived and can be placed.
 ///
@@ -65,4 +65,4 @@ private:
   std::deque<MessageConstPtr> waiting_;  ///< the newest last; all of them later than what is shown
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,9 +1,9 @@
-#include "placement.hpp"
+#include "rviz/placement.hpp"
 
 #include <OgreSceneNode.h>
 #include <rviz/frame_manager.h>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 bool placeInFrame(const std_msgs::Header& header, rviz::FrameManager& frames, Ogre::SceneNode& node)
 {
@@ -15,4 +15,4 @@ bool placeInFrame(const std_msgs::Header& header, rviz::FrameManager& frames, Og
   return true;
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

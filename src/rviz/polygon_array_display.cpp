@@ -1,4 +1,4 @@
-#include "polygon_array_display.hpp"
+#include "rviz/polygon_array_display.hpp"
 
 #include <rviz/properties/bool_property.h>
 #include <rviz/properties/color_property.h>
@@ -10,10 +10,10 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
 
-#include "message_geometry.hpp"
-#include "message_status.hpp"
+#include "rviz/message_geometry.hpp"
+#include "rviz/message_status.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -26,9 +26,9 @@ enum ColorBy
 constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is only HELD are paler
 
 /// The middle of the boundary's bounding box.
-Eigen::Vector2d centerOf(const PolygonSet& polygon)
+Eigen::Vector2d centerOf(const geometry::PolygonSet& polygon)
 {
-  const PolygonSet::Ring& boundary = polygon.rings.front();
+  const geometry::PolygonSet::Ring& boundary = polygon.rings.front();
   Eigen::AlignedBox2d box;
   for (std::uint32_t i = 0; i < boundary.size; ++i) box.extend(polygon.vertices[boundary.first + i]);
   return box.center();
@@ -39,7 +39,7 @@ std::vector<PolygonShape::Polygon> polygonsOf(const PolygonArray& array)
 {
   std::vector<PolygonShape::Polygon> polygons;
   for (const ObstaclePolygon& message : array.polygons) {
-    std::optional<PolygonSet> rings = toPolygonSet(message);
+    std::optional<geometry::PolygonSet> rings = toPolygonSet(message);
     if (rings) polygons.push_back({std::move(*rings), Ogre::ColourValue::White});
   }
   return polygons;
@@ -133,6 +133,6 @@ void PolygonArrayDisplay::paint(std::vector<PolygonShape::Polygon>& polygons)
   for (PolygonShape::Polygon& polygon : polygons) polygon.color.a = kHeldAlpha;
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays
 
-PLUGINLIB_EXPORT_CLASS(polygonal_perception::PolygonArrayDisplay, rviz::Display)
+PLUGINLIB_EXPORT_CLASS(polygonal_perception::displays::PolygonArrayDisplay, rviz::Display)

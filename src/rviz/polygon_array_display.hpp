@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "newest_message_display.hpp"
-#include "polygon_colors.hpp"
-#include "polygon_shape.hpp"
+#include "rviz/newest_message_display.hpp"
+#include "rviz/polygon_colors.hpp"
+#include "rviz/polygon_shape.hpp"
 
 namespace rviz {
 class BoolProperty;
@@ -16,7 +16,7 @@ class EnumProperty;
 class FloatProperty;
 }  // namespace rviz
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// Shows a polygonal_perception/PolygonArray: each polygon filled, holes left open, with its outline.
 class PolygonArrayDisplay : public NewestMessageDisplay<PolygonArray>
@@ -54,4 +54,4 @@ private:
   std::unique_ptr<PolygonShape> shape_;
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,4 +1,4 @@
-#include "polygon_colors.hpp"
+#include "rviz/polygon_colors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -60,4 +60,4 @@ unsigned int PolygonColors::takeNearest(const Eigen::Vector2d& center)
   return match < centers_.size() ? std::exchange(numbers_[match], kNone) : kNone;
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// A hue for each polygon. Messages do not number their polygons: one keeps its hue while its centre is near
 /// where it was in the last message.
@@ -22,4 +22,4 @@ private:
   std::vector<unsigned int> numbers_;     ///< of their hues
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

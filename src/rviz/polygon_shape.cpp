@@ -1,10 +1,10 @@
-#include "polygon_shape.hpp"
+#include "rviz/polygon_shape.hpp"
 
 #include <cstdint>
 
-#include "polygonal_perception/triangulation.hpp"
+#include "polygonal_perception/geometry/triangulation.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -18,15 +18,16 @@ Ogre::Vector3 at(const Eigen::Vector2d& p, float z)
   return {static_cast<Ogre::Real>(p.x()), static_cast<Ogre::Real>(p.y()), z};
 }
 
-void appendTop(const PolygonSet& polygon, float z, const Ogre::ColourValue& color, Corners& corners)
+void appendTop(const geometry::PolygonSet& polygon, float z, const Ogre::ColourValue& color, Corners& corners)
 {
-  for (const Eigen::Vector2d& corner : triangulate(polygon)) corners.push_back({at(corner, z), color});
+  for (const Eigen::Vector2d& corner : geometry::triangulate(polygon))
+    corners.push_back({at(corner, z), color});
 }
 
-void appendWalls(const PolygonSet& polygon, float bottom, float top, const Ogre::ColourValue& color,
+void appendWalls(const geometry::PolygonSet& polygon, float bottom, float top, const Ogre::ColourValue& color,
                  Corners& corners)
 {
-  for (const PolygonSet::Ring& ring : polygon.rings) {
+  for (const geometry::PolygonSet::Ring& ring : polygon.rings) {
     for (std::uint32_t i = 0; i < ring.size; ++i) {
       const Eigen::Vector2d& a = polygon.vertices[ring.first + i];
       const Eigen::Vector2d& b = polygon.vertices[ring.first + (i + 1) % ring.size];
@@ -38,11 +39,11 @@ void appendWalls(const PolygonSet& polygon, float bottom, float top, const Ogre:
   }
 }
 
-void appendOutlines(const PolygonSet& polygon, float z, const Ogre::ColourValue& color,
-                    std::vector<Outlines::Ring>& outlines)
+void appendOutlines(const geometry::PolygonSet& polygon, float z, const Ogre::ColourValue& color,
+                    std::vector<RingLines::Ring>& outlines)
 {
-  for (const PolygonSet::Ring& ring : polygon.rings) {
-    Outlines::Ring& outline = outlines.emplace_back();
+  for (const geometry::PolygonSet::Ring& ring : polygon.rings) {
+    RingLines::Ring& outline = outlines.emplace_back();
     outline.color = color;
     for (std::uint32_t i = 0; i < ring.size; ++i) {
       outline.corners.push_back(at(polygon.vertices[ring.first + i], z));
@@ -56,7 +57,7 @@ void PolygonShape::set(const std::vector<Polygon>& polygons, const PolygonStyle&
 {
   const float top = style.offset + style.height;
   Corners corners;
-  std::vector<Outlines::Ring> outlines;
+  std::vector<RingLines::Ring> outlines;
   for (const Polygon& polygon : polygons) {
     Ogre::ColourValue fill = polygon.color;
     fill.a *= style.alpha;
@@ -76,4 +77,4 @@ void PolygonShape::clear()
   outlines_.clear();
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "outlines.hpp"
-#include "polygonal_perception/polygon_set.hpp"
-#include "triangle_mesh.hpp"
+#include "polygonal_perception/geometry/polygon_set.hpp"
+#include "rviz/ring_lines.hpp"
+#include "rviz/triangle_mesh.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// How polygons are drawn.
 struct PolygonStyle
@@ -24,7 +24,7 @@ public:
   /// A polygon with its holes, in the frame of the parent node.
   struct Polygon
   {
-    PolygonSet rings;
+    geometry::PolygonSet rings;
     Ogre::ColourValue color;  ///< its alpha is that of the outline
   };
 
@@ -40,7 +40,7 @@ public:
 
 private:
   TriangleMesh mesh_;
-  Outlines outlines_;
+  RingLines outlines_;
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,4 +1,4 @@
-#include "triangle_mesh.hpp"
+#include "rviz/triangle_mesh.hpp"
 
 #include <OgreMaterialManager.h>
 #include <OgreResourceGroupManager.h>
@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 namespace {
 
@@ -65,4 +65,4 @@ void TriangleMesh::clear()
   object_->clear();
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

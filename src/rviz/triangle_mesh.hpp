@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 
 /// Triangles in a scene, each corner with its colour, unlit and seen from both sides.
 class TriangleMesh
@@ -38,4 +38,4 @@ private:
   Ogre::ManualObject* object_;  ///< the scene's
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,17 +1,17 @@
 #include <gtest/gtest.h>
 
-#include "douglas_peucker.hpp"
-#include "polygon_checker.hpp"
-#include "polygonal_perception/pipeline.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
-#include "recorded_frames.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+#include "reference/douglas_peucker.hpp"
+#include "reference/polygon_checker.hpp"
+#include "reference/recorded_frames.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 /// The defaults, in cells: robot_radius 0.30 m, simplification_tolerance 0.05 m, 0.05 m a cell.
-constexpr CellLength kRadius{6, 1};
-constexpr CellLength kLimit{17, 2};
+constexpr reference::CellLength kRadius{6, 1};
+constexpr reference::CellLength kLimit{17, 2};
 
 constexpr double kTolerance = 1.0;  // [cells]
 
@@ -19,14 +19,15 @@ constexpr double kTolerance = 1.0;  // [cells]
 class FramePolygonsTest : public ::testing::Test
 {
 protected:
-  void check(Pipeline& pipeline, const PointView& view, double stamp, const std::string& name)
+  void check(perception::Pipeline& pipeline, const perception::PointView& view, double stamp,
+             const std::string& name)
   {
-    const Pipeline::Result& result = pipeline.process({view, stamp, {}});
-    const auto fault = PolygonChecker(result.occupancy, result.polygons, kRadius, kLimit).fault();
+    const perception::Pipeline::Result& result = pipeline.process({view, stamp, {}});
+    const auto fault = reference::PolygonChecker(result.occupancy, result.polygons, kRadius, kLimit).fault();
     EXPECT_FALSE(fault) << name << ": " << *fault;
-    if (result.floor.status != FloorStatus::kNotFound) ++with_floor_;
+    if (result.floor.status != perception::FloorStatus::kNotFound) ++with_floor_;
     vertices_ += result.polygons.vertices.size();
-    vertices_of_douglas_peucker_ += verticesOfDouglasPeucker(result.inflated, kTolerance);
+    vertices_of_douglas_peucker_ += reference::verticesOfDouglasPeucker(result.inflated, kTolerance);
   }
   void TearDown() override
   {
@@ -42,13 +43,13 @@ private:
 
 TEST_F(FramePolygonsTest, OfRecordedFramesKeepTheContract)
 {
-  const auto path = findRecordedFrames();
+  const auto path = reference::findRecordedFrames();
   if (!path)
     GTEST_SKIP() << "no recorded frames: set POLYGONAL_PERCEPTION_DATA to a folder with a frames.json";
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   double stamp = 0.0;
-  for (const RecordedFrame& frame : listRecordedFrames(*path)) {
-    const LoadedFrame loaded = load(frame);
+  for (const reference::RecordedFrame& frame : reference::listRecordedFrames(*path)) {
+    const reference::LoadedFrame loaded = reference::load(frame);
     stamp += 1.0 / 30.0;
     check(pipeline, loaded.view(), stamp, frame.name);
   }
@@ -64,13 +65,14 @@ TEST_F(FramePolygonsTest, OfRenderedFramesKeepTheContract)
     options.seed = 102;
     simulation::SimulatedCamera camera(options);
     const auto& pinhole = options.camera;
-    const PinholeRays rays =
-        PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
-    Pipeline pipeline{Pipeline::Parameters{}};
+    const perception::PinholeRays rays = perception::PinholeRays::make(
+        pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
     simulation::SimulatedFrame frame;
     for (std::uint32_t k = 0; k < 60; k += 15) {
       camera.render(k, frame);
-      const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+      const perception::PointView view =
+          perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
       check(pipeline, view, frame.time, scene + ", frame " + std::to_string(k));
     }
   }
@@ -78,4 +80,4 @@ TEST_F(FramePolygonsTest, OfRenderedFramesKeepTheContract)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "polygon_checker.hpp"
+#include "reference/polygon_checker.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 using Corners = std::vector<std::pair<double, double>>;
@@ -16,7 +16,7 @@ class PolygonCheckerTest : public ::testing::Test
 protected:
   PolygonCheckerTest()
   {
-    GridGeometry geometry;
+    perception::GridGeometry geometry;
     geometry.cells_x = 9;
     geometry.cells_y = 9;
     geometry.resolution = 1.0;
@@ -33,7 +33,7 @@ protected:
 
   void expectFault(const std::string& beginning) const
   {
-    const auto fault = PolygonChecker(grid_, polygons_, {1, 1}, {3, 1}).fault();
+    const auto fault = reference::PolygonChecker(grid_, polygons_, {1, 1}, {3, 1}).fault();
     ASSERT_TRUE(fault) << "nothing found, expected: " << beginning;
     EXPECT_EQ(fault->substr(0, beginning.size()), beginning) << *fault;
   }
@@ -43,14 +43,14 @@ protected:
     return {{low, low}, {high, low}, {high, high}, {low, high}};
   }
 
-  BinaryGrid grid_;
-  PolygonSet polygons_;
+  perception::BinaryGrid grid_;
+  geometry::PolygonSet polygons_;
 };
 
 TEST_F(PolygonCheckerTest, PassesASquareThatIsLargeEnough)
 {
   add(square(3, 6));
-  EXPECT_FALSE(PolygonChecker(grid_, polygons_, {1, 1}, {3, 1}).fault());
+  EXPECT_FALSE(reference::PolygonChecker(grid_, polygons_, {1, 1}, {3, 1}).fault());
 }
 
 TEST_F(PolygonCheckerTest, FindsAnEdgeThatIsA64thOfACellTooNear)
@@ -142,4 +142,4 @@ TEST_F(PolygonCheckerTest, FindsAVertexOffTheLattice)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -4,13 +4,13 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "douglas_peucker.hpp"
-#include "polygon_checker.hpp"
-#include "polygonal_perception/inflation.hpp"
-#include "polygonal_perception/polygonizer.hpp"
-#include "random_grids.hpp"
+#include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "reference/douglas_peucker.hpp"
+#include "reference/polygon_checker.hpp"
+#include "reference/random_grids.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 /// Lengths are given in thousandths of a cell, so that the checker can compare them without rounding.
@@ -20,8 +20,8 @@ struct Setting
   int tolerance;
   double resolution;
 
-  CellLength radiusInCells() const { return {radius, 1000}; }
-  CellLength limitInCells() const { return {radius + 1500 + tolerance, 1000}; }
+  reference::CellLength radiusInCells() const { return {radius, 1000}; }
+  reference::CellLength limitInCells() const { return {radius + 1500 + tolerance, 1000}; }
 };
 
 // robot_radius 0, 0.05, 0.11, 0.225, 0.30 and 0.52 m and simplification_tolerance 0, 0.03, 0.05 and 0.15 m at
@@ -29,22 +29,24 @@ struct Setting
 constexpr int kRadii[] = {0, 1000, 2200, 4500, 6000, 10400};
 constexpr int kTolerances[] = {0, 600, 1000, 3000};
 
-using Way = void (*)(const BinaryGrid&, const Setting&, PolygonSet&, BinaryGrid&);
+using Way = void (*)(const perception::BinaryGrid&, const Setting&, geometry::PolygonSet&,
+                     perception::BinaryGrid&);
 
-void thisPackage(const BinaryGrid& occupancy, const Setting& setting, PolygonSet& polygons,
-                 BinaryGrid& inflated)
+void thisPackage(const perception::BinaryGrid& occupancy, const Setting& setting,
+                 geometry::PolygonSet& polygons, perception::BinaryGrid& inflated)
 {
   const double radius = setting.radius * 0.001 * setting.resolution;
   inflated.reset(occupancy.geometry());
-  Inflation({radius}).inflate(occupancy, inflated);
-  Polygonizer({setting.tolerance * 0.001 * setting.resolution})
+  perception::Inflation({radius}).inflate(occupancy, inflated);
+  perception::Polygonizer({setting.tolerance * 0.001 * setting.resolution})
       .polygonize(occupancy, inflated, radius, polygons);
 }
 
 /// Section IV of the paper: vertices through the centres of dilated cells, simplified with Douglas-Peucker.
-void paper(const BinaryGrid& occupancy, const Setting& setting, PolygonSet& polygons, BinaryGrid& inflated)
+void paper(const perception::BinaryGrid& occupancy, const Setting& setting, geometry::PolygonSet& polygons,
+           perception::BinaryGrid& inflated)
 {
-  const GridGeometry& geometry = occupancy.geometry();
+  const perception::GridGeometry& geometry = occupancy.geometry();
   cv::Mat1b cells(geometry.cells_y, geometry.cells_x);
   std::copy(occupancy.cells().begin(), occupancy.cells().end(), cells.begin());
   const int reach = setting.radius / 1000;
@@ -67,16 +69,16 @@ void paper(const BinaryGrid& occupancy, const Setting& setting, PolygonSet& poly
   }
 }
 
-std::optional<std::string> faultOf(Way way, const BinaryGrid& grid, const Setting& setting)
+std::optional<std::string> faultOf(Way way, const perception::BinaryGrid& grid, const Setting& setting)
 {
-  PolygonSet polygons;
-  BinaryGrid inflated;
+  geometry::PolygonSet polygons;
+  perception::BinaryGrid inflated;
   way(grid, setting, polygons, inflated);
-  return PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
+  return reference::PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
 }
 
 /// Frees cell after cell as long as the fault stays: what is left shows it best.
-BinaryGrid shrunk(Way way, BinaryGrid grid, const Setting& setting)
+perception::BinaryGrid shrunk(Way way, perception::BinaryGrid grid, const Setting& setting)
 {
   for (bool smaller = true; smaller;) {
     smaller = false;
@@ -95,7 +97,7 @@ BinaryGrid shrunk(Way way, BinaryGrid grid, const Setting& setting)
   return grid;
 }
 
-std::size_t verticesOf(const PolygonSet& polygons)
+std::size_t verticesOf(const geometry::PolygonSet& polygons)
 {
   return polygons.vertices.size();
 }
@@ -108,25 +110,27 @@ void checkMany(unsigned grids, int smallest, int largest, std::uint32_t seed)
   std::uniform_int_distribution<int> side(smallest, largest);
   std::size_t vertices = 0;
   std::size_t vertices_of_douglas_peucker = 0;
-  PolygonSet polygons;
-  BinaryGrid inflated;
+  geometry::PolygonSet polygons;
+  perception::BinaryGrid inflated;
   for (unsigned n = 0; n < grids; ++n) {
     const Setting setting{kRadii[n % std::size(kRadii)],
                           kTolerances[n / std::size(kRadii) % std::size(kTolerances)],
                           n % 7 == 0 ? 0.1 : 0.05};
-    const BinaryGrid grid = randomGrid(random(), side(random), side(random), setting.resolution, random);
+    const perception::BinaryGrid grid =
+        reference::randomGrid(random(), side(random), side(random), setting.resolution, random);
     thisPackage(grid, setting, polygons, inflated);
     const auto fault =
-        PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
+        reference::PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
     if (fault) {
-      const BinaryGrid small = shrunk(thisPackage, grid, setting);
+      const perception::BinaryGrid small = shrunk(thisPackage, grid, setting);
       FAIL() << "grid " << n << ", radius " << 0.001 * setting.radius << " and tolerance "
              << 0.001 * setting.tolerance << " cells: " << *fault
              << "\nshrunk: " << *faultOf(thisPackage, small, setting) << "\n"
-             << toText(small);
+             << reference::toText(small);
     }
     vertices += verticesOf(polygons);
-    vertices_of_douglas_peucker += verticesOfDouglasPeucker(inflated, setting.tolerance * 0.001, kCorners);
+    vertices_of_douglas_peucker +=
+        reference::verticesOfDouglasPeucker(inflated, setting.tolerance * 0.001, kCorners);
   }
   EXPECT_LE(static_cast<double>(vertices), 1.2 * static_cast<double>(vertices_of_douglas_peucker));
 }
@@ -153,7 +157,7 @@ TEST(RandomPolygons, OfThePapersKindAreRejected)
   int tried = 0;
   for (unsigned n = 0; n < 200; ++n) {
     const Setting setting{kRadii[n % 6], kTolerances[n % 4], 0.05};
-    const BinaryGrid grid = randomGrid(random(), 24, 24, setting.resolution, random);
+    const perception::BinaryGrid grid = reference::randomGrid(random(), 24, 24, setting.resolution, random);
     if (grid.count() == 0) continue;
     ++tried;
     rejected += faultOf(paper, grid, setting) ? 1 : 0;
@@ -162,4 +166,4 @@ TEST(RandomPolygons, OfThePapersKindAreRejected)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -4,11 +4,11 @@
 #include <set>
 #include <string>
 
-#include "error_statistics.hpp"
-#include "polygonal_perception/floor_tracker.hpp"
-#include "recorded_frames.hpp"
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/recorded_frames.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 /// Frames whose reference is not to be trusted: the floor is a strip of 1.7 % of the image, or nearly grazed.
@@ -26,7 +26,7 @@ struct Agreement
   int under = 0;  ///< pixels more than 5 cm below it, where nothing can be
 };
 
-Agreement agreement(const Plane& plane, const PointView& view)
+Agreement agreement(const geometry::Plane& plane, const perception::PointView& view)
 {
   Agreement result;
   for (std::uint32_t v = 0; v < view.height(); ++v) {
@@ -44,76 +44,77 @@ class RecordedFloors : public ::testing::Test
 protected:
   void SetUp() override
   {
-    const auto path = findRecordedFrames();
+    const auto path = reference::findRecordedFrames();
     if (!path)
       GTEST_SKIP() << "no recorded frames: set POLYGONAL_PERCEPTION_DATA to a folder with a frames.json";
-    frames_ = listRecordedFrames(*path);
+    frames_ = reference::listRecordedFrames(*path);
   }
 
-  const FloorState& see(const RecordedFrame& frame)
+  const perception::FloorState& see(const reference::RecordedFrame& frame)
   {
-    const LoadedFrame loaded = load(frame);
+    const reference::LoadedFrame loaded = reference::load(frame);
     if (kBent.count(frame.name) != 0) reference_ = agreement(*frame.floor, loaded.view());
     grid_.update(loaded.view());
     stamp_ += 1.0 / 30.0;
-    const FloorState& state = tracker_.update(loaded.view(), grid_, stamp_, std::nullopt);
+    const perception::FloorState& state = tracker_.update(loaded.view(), grid_, stamp_, std::nullopt);
     if (kBent.count(frame.name) != 0) found_ = agreement(state.floor.plane, loaded.view());
     return state;
   }
 
-  void check(const RecordedFrame& frame, const FloorState& state)
+  void check(const reference::RecordedFrame& frame, const perception::FloorState& state)
   {
     if (!frame.reference_known) return;
     if (!frame.floor) {
-      EXPECT_NE(state.status, FloorStatus::kFound)
+      EXPECT_NE(state.status, perception::FloorStatus::kFound)
           << frame.name << " shows no floor, one was found at " << state.floor.plane.distance << " m";
     } else if (kBent.count(frame.name) != 0) {
-      ASSERT_EQ(state.status, FloorStatus::kFound) << frame.name;
+      ASSERT_EQ(state.status, perception::FloorStatus::kFound) << frame.name;
       EXPECT_GT(found_.on, 1.1 * reference_.on) << frame.name;
       EXPECT_LT(found_.under, 0.1 * reference_.under) << frame.name;
-    } else if (state.status == FloorStatus::kFound && kHard.count(frame.name) == 0) {
-      EXPECT_FALSE(isWrong(state.floor.plane, *frame.floor))
-          << frame.name << ": " << normalError(state.floor.plane, *frame.floor) << " deg and "
-          << heightError(state.floor.plane, *frame.floor) << " mm off its reference";
+    } else if (state.status == perception::FloorStatus::kFound && kHard.count(frame.name) == 0) {
+      EXPECT_FALSE(reference::isWrong(state.floor.plane, *frame.floor))
+          << frame.name << ": " << reference::normalError(state.floor.plane, *frame.floor) << " deg and "
+          << reference::heightError(state.floor.plane, *frame.floor) << " mm off its reference";
     }
   }
 
-  std::vector<RecordedFrame> frames_;
-  SampleGrid grid_{SampleGrid::Parameters{}};
-  FloorTracker tracker_{FloorTracker::Parameters{}, FloorDetector::Parameters{}};
+  std::vector<reference::RecordedFrame> frames_;
+  perception::SampleGrid grid_{perception::SampleGrid::Parameters{}};
+  perception::FloorTracker tracker_{perception::FloorTracker::Parameters{},
+                                    perception::FloorDetector::Parameters{}};
   double stamp_ = 0.0;
   Agreement reference_, found_;  // of the last frame whose floor is bent
 };
 
 TEST_F(RecordedFloors, AreFoundFromTheInitialUpVectorAlone)
 {
-  for (const RecordedFrame& frame : frames_) {
+  for (const reference::RecordedFrame& frame : frames_) {
     tracker_.reset();
-    const FloorState& state = see(frame);
+    const perception::FloorState& state = see(frame);
     check(frame, state);
     if (!frame.floor || !frame.reference_known) continue;
-    EXPECT_EQ(state.status, FloorStatus::kFound) << frame.name;
+    EXPECT_EQ(state.status, perception::FloorStatus::kFound) << frame.name;
   }
 }
 
 TEST_F(RecordedFloors, AreNeverWrongWithFeedback)
 {
-  for (const RecordedFrame& frame : frames_) check(frame, see(frame));
+  for (const reference::RecordedFrame& frame : frames_) check(frame, see(frame));
 }
 
 TEST_F(RecordedFloors, OfATurningRobotAgreeWithTheirReferences)
 {
   std::size_t seen = 0;
-  for (const RecordedFrame& frame : frames_) {
+  for (const reference::RecordedFrame& frame : frames_) {
     if (frame.set != "robot_turning") continue;
-    const FloorState& state = see(frame);
-    ASSERT_EQ(state.status, FloorStatus::kFound) << frame.name;
-    EXPECT_LT(normalError(state.floor.plane, *frame.floor), 1.5) << frame.name;
-    EXPECT_LT(heightError(state.floor.plane, *frame.floor), 20.0) << frame.name;
+    const perception::FloorState& state = see(frame);
+    ASSERT_EQ(state.status, perception::FloorStatus::kFound) << frame.name;
+    EXPECT_LT(reference::normalError(state.floor.plane, *frame.floor), 1.5) << frame.name;
+    EXPECT_LT(reference::heightError(state.floor.plane, *frame.floor), 20.0) << frame.name;
     ++seen;
   }
   EXPECT_EQ(seen, 40U);
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

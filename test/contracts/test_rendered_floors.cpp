@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "error_statistics.hpp"
-#include "polygonal_perception/floor_tracker.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "reference/error_statistics.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 using simulation::SimulatedCamera;
@@ -35,19 +35,19 @@ struct Errors
 Errors run(const std::string& scene, const std::string& trajectory, int frames, bool independent,
            bool known_height)
 {
-  SimulatedCamera::Options options;
+  simulation::SimulatedCamera::Options options;
   options.scene = scene;
   options.trajectory = trajectory;
   options.seed = kSeed;
-  SimulatedCamera camera(options);
+  simulation::SimulatedCamera camera(options);
   const auto& pinhole = options.camera;
-  const PinholeRays rays =
-      PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+  const perception::PinholeRays rays = perception::PinholeRays::make(
+      pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
 
-  FloorDetector::Parameters detector;
-  FloorTracker tracker({}, detector);
-  SampleGrid grid{SampleGrid::Parameters{}};
-  SimulatedFrame frame;
+  perception::FloorDetector::Parameters detector;
+  perception::FloorTracker tracker({}, detector);
+  perception::SampleGrid grid{perception::SampleGrid::Parameters{}};
+  simulation::SimulatedFrame frame;
   Errors errors;
   for (int k = 0; k < frames; ++k) {
     camera.render(static_cast<std::uint32_t>(k), frame);
@@ -56,32 +56,34 @@ Errors run(const std::string& scene, const std::string& trajectory, int frames, 
       tracker.configure({}, detector);
     }
     if (independent) tracker.reset();
-    const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+    const perception::PointView view =
+        perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
     grid.update(view);
-    const FloorState& state = tracker.update(view, grid, frame.time, std::nullopt);
+    const perception::FloorState& state = tracker.update(view, grid, frame.time, std::nullopt);
     if (frame.floor_fraction < kEnoughFloor) continue;
     ++errors.frames;
-    if (state.status != FloorStatus::kFound) {
+    if (state.status != perception::FloorStatus::kFound) {
       ++errors.missed;
       continue;
     }
-    const Plane& found = state.floor.plane;
-    EXPECT_FALSE(isWrong(found, frame.floor))
-        << scene << ", " << trajectory << ", frame " << k << ": " << normalError(found, frame.floor)
-        << " deg, " << heightError(found, frame.floor) << " mm off, " << 100 * frame.floor_fraction
+    const geometry::Plane& found = state.floor.plane;
+    EXPECT_FALSE(reference::isWrong(found, frame.floor))
+        << scene << ", " << trajectory << ", frame " << k << ": "
+        << reference::normalError(found, frame.floor) << " deg, "
+        << reference::heightError(found, frame.floor) << " mm off, " << 100 * frame.floor_fraction
         << " % floor, true height " << frame.floor.distance << ", found " << found.distance;
-    errors.degrees.push_back(normalError(found, frame.floor));
-    errors.millimetres.push_back(heightError(found, frame.floor));
+    errors.degrees.push_back(reference::normalError(found, frame.floor));
+    errors.millimetres.push_back(reference::heightError(found, frame.floor));
   }
   return errors;
 }
 
 void expectContract(const Errors& errors)
 {
-  EXPECT_LE(quantile(errors.degrees, 0.5), 0.05);
-  EXPECT_LE(quantile(errors.degrees, 0.95), 0.4);
-  EXPECT_LE(quantile(errors.millimetres, 0.5), 2.0);
-  EXPECT_LE(quantile(errors.millimetres, 0.95), 10.0);
+  EXPECT_LE(reference::quantile(errors.degrees, 0.5), 0.05);
+  EXPECT_LE(reference::quantile(errors.degrees, 0.95), 0.4);
+  EXPECT_LE(reference::quantile(errors.millimetres, 0.5), 2.0);
+  EXPECT_LE(reference::quantile(errors.millimetres, 0.95), 10.0);
   EXPECT_LE(errors.missed, errors.frames / 50) << "of " << errors.frames;
 }
 
@@ -131,4 +133,4 @@ TEST(RenderedFloors, AboveStairsAreTheRobotsOwnWhereTheCamerasHeightIsKnown)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -1,56 +1,56 @@
 #include <gtest/gtest.h>
 
-#include "error_statistics.hpp"
-#include "hausdorff.hpp"
-#include "still_view.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/hausdorff.hpp"
+#include "reference/still_view.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
-void addSquare(double x, double y, double side, PolygonSet& polygons)
+void addSquare(double x, double y, double side, geometry::PolygonSet& polygons)
 {
   polygons.rings.push_back({static_cast<std::uint32_t>(polygons.vertices.size()), 4, false});
   polygons.vertices.insert(polygons.vertices.end(),
                            {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
 }
 
-PolygonSet square(double x, double y, double side)
+geometry::PolygonSet square(double x, double y, double side)
 {
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   addSquare(x, y, side, polygons);
   return polygons;
 }
 
 TEST(HausdorffDistance, OfMovedOutlineIsHowFarItMoved)
 {
-  EXPECT_DOUBLE_EQ(hausdorffDistance(square(0, 0, 1), square(0, 0, 1)), 0.0);
-  EXPECT_DOUBLE_EQ(hausdorffDistance(square(0, 0, 1), square(0.25, 0, 1)), 0.25);
+  EXPECT_DOUBLE_EQ(reference::hausdorffDistance(square(0, 0, 1), square(0, 0, 1)), 0.0);
+  EXPECT_DOUBLE_EQ(reference::hausdorffDistance(square(0, 0, 1), square(0.25, 0, 1)), 0.25);
 }
 
 TEST(HausdorffDistance, CountsWhatOnlyOneOfThemHas)
 {
-  PolygonSet two = square(0, 0, 1);
+  geometry::PolygonSet two = square(0, 0, 1);
   addSquare(3, 0, 1, two);
-  EXPECT_DOUBLE_EQ(hausdorffDistance(square(0, 0, 1), two), 3.0);
-  EXPECT_DOUBLE_EQ(hausdorffDistance(two, square(0, 0, 1)), 3.0);
-  EXPECT_TRUE(std::isinf(hausdorffDistance(two, PolygonSet{})));
-  EXPECT_DOUBLE_EQ(hausdorffDistance(PolygonSet{}, PolygonSet{}), 0.0);
+  EXPECT_DOUBLE_EQ(reference::hausdorffDistance(square(0, 0, 1), two), 3.0);
+  EXPECT_DOUBLE_EQ(reference::hausdorffDistance(two, square(0, 0, 1)), 3.0);
+  EXPECT_TRUE(std::isinf(reference::hausdorffDistance(two, geometry::PolygonSet{})));
+  EXPECT_DOUBLE_EQ(reference::hausdorffDistance(geometry::PolygonSet{}, geometry::PolygonSet{}), 0.0);
 }
 
 /// How far the polygons move from frame to frame of still views [m].
 std::vector<double> movesOf(const std::string& scene, int min_points_per_cell)
 {
   constexpr int kFrames = 12;
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   parameters.projection.min_points_per_cell = min_points_per_cell;
   std::vector<double> moves;
   for (const std::uint64_t seed : {1, 2, 3}) {
-    StillView view(scene, seed);
-    Pipeline pipeline(parameters);
-    PolygonSet last = pipeline.process(view.frame(0)).polygons;
+    reference::StillView view(scene, seed);
+    perception::Pipeline pipeline(parameters);
+    geometry::PolygonSet last = pipeline.process(view.frame(0)).polygons;
     for (std::uint32_t k = 1; k < kFrames; ++k) {
-      const PolygonSet& polygons = pipeline.process(view.frame(k)).polygons;
-      moves.push_back(hausdorffDistance(last, polygons));
+      const geometry::PolygonSet& polygons = pipeline.process(view.frame(k)).polygons;
+      moves.push_back(reference::hausdorffDistance(last, polygons));
       last = polygons;
     }
   }
@@ -61,14 +61,14 @@ std::vector<double> movesOf(const std::string& scene, int min_points_per_cell)
 TEST(SteadyPolygons, HardlyMoveUnderTheSensorsNoise)
 {
   for (const std::string scene : {"office", "busy_office", "doorway"})
-    EXPECT_LT(quantile(movesOf(scene, 1), 0.5), 0.2) << scene;
+    EXPECT_LT(reference::quantile(movesOf(scene, 1), 0.5), 0.2) << scene;
 }
 
 TEST(SteadyPolygons, ComeAndGoLessWhenCellsNeedThreePoints)
 {
-  EXPECT_GT(quantile(movesOf("busy_office", 1), 0.95), 1.0);
-  EXPECT_LT(quantile(movesOf("busy_office", 3), 0.95), 0.6);
+  EXPECT_GT(reference::quantile(movesOf("busy_office", 1), 0.95), 1.0);
+  EXPECT_LT(reference::quantile(movesOf("busy_office", 3), 0.95), 0.6);
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 /// Takes values off the bytes that the fuzzer made; zeros where they are used up.
 class ByteReader
@@ -81,4 +81,4 @@ private:
   const std::uint8_t* end_;
 };
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -1,11 +1,12 @@
 // A PointCloud2 of any shape: refused with a reason, or looked at within its data.
 #include "byte_reader.hpp"
-#include "polygonal_perception/ros/cloud_input.hpp"
 #include "result_check.hpp"
+#include "ros/perception/cloud_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace polygonal_perception;
+  using namespace polygonal_perception::test;
   ByteReader bytes(data, size);
   sensor_msgs::PointCloud2 cloud;
   cloud.width = bytes.size();
@@ -27,10 +28,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   cloud.data = bytes.rest();
   cloud.data.shrink_to_fit();
 
-  const Expected<PointView> view = viewCloud(cloud);
+  const ros_common::Expected<perception::PointView> view = ros_perception::viewCloud(cloud);
   require(view || !view.error().empty(), "what is refused has a reason");
   if (!view) return 0;
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   requireSound(pipeline.process({*view, 1.0, {}}));
   return 0;
 }

@@ -2,12 +2,13 @@
 #include <boost/make_shared.hpp>
 
 #include "byte_reader.hpp"
-#include "polygonal_perception/ros/depth_input.hpp"
 #include "result_check.hpp"
+#include "ros/perception/depth_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace polygonal_perception;
+  using namespace polygonal_perception::test;
   ByteReader bytes(data, size);
   sensor_msgs::Image image;
   image.width = bytes.size();
@@ -49,14 +50,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   image.data = bytes.rest();
   image.data.shrink_to_fit();
 
-  DepthInput input("camera_info");
+  ros_perception::DepthInput input("camera_info");
   if (has_info) input.setCameraInfo(info);
   input.awaitsCameraInfo(image);
-  const Expected<PointView> view = input.view(image);
+  const ros_common::Expected<perception::PointView> view = input.view(image);
   require(view || !view.error().empty(), "what is refused has a reason");
   require(view ? has_info : true, "without a camera_info there are no points");
   if (!view) return 0;
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   requireSound(pipeline.process({*view, 1.0, {}}));
   return 0;
 }

@@ -3,18 +3,18 @@
 #include <vector>
 
 #include "byte_reader.hpp"
-#include "plane_scene.hpp"
-#include "polygonal_perception/parameter_check.hpp"
-#include "reconfigure_messages.hpp"
+#include "polygonal_perception/perception/parameter_check.hpp"
 #include "result_check.hpp"
+#include "ros/common/reconfigure_messages.hpp"
+#include "support/plane_scene.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 struct Entry
 {
   std::string name;
-  Range range;
+  parameters::Range range;
 };
 
 /// A floor with a box on it.
@@ -31,15 +31,16 @@ PlaneScene scene()
 dynamic_reconfigure::Config anyConfig(ByteReader& bytes)
 {
   std::vector<Entry> entries;
-  const Pipeline::Parameters defaults;
-  Pipeline::Parameters::describe(defaults,
-                                 [&](const char* name, auto /*value*/, const Range& range, const auto&...) {
-                                   entries.push_back({name, range});
-                                 });
+  const perception::Pipeline::Parameters defaults;
+  perception::Pipeline::Parameters::describe(
+      defaults, [&](const char* name, auto /*value*/, const parameters::Range& range, const auto&...) {
+        entries.push_back({name, range});
+      });
   dynamic_reconfigure::Config config;
   while (!bytes.empty()) {
     const std::size_t index = bytes.byte() % (entries.size() + 1);
-    const Entry entry = index < entries.size() ? entries[index] : Entry{bytes.text(), Range{0.0, 1.0}};
+    const Entry entry =
+        index < entries.size() ? entries[index] : Entry{bytes.text(), parameters::Range{0.0, 1.0}};
     const std::uint8_t kind = bytes.byte();
     const double share = static_cast<double>(bytes.byte()) / 255.0;
     const double within = entry.range.min + share * (entry.range.max - entry.range.min);
@@ -57,28 +58,29 @@ dynamic_reconfigure::Config anyConfig(ByteReader& bytes)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace polygonal_perception;
+  using namespace polygonal_perception::test;
   static const PlaneScene frame = scene();
   ByteReader bytes(data, size);
   // A small grid: the default one takes most of the time, and shows nothing more.
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   parameters.grid.grid_length = parameters.grid.grid_width = 2.5;
-  Pipeline pipeline{parameters};
+  perception::Pipeline pipeline{parameters};
   const Eigen::Vector3d up(bytes.number<double>(), bytes.number<double>(), bytes.number<double>());
   if (bytes.byte() % 4 == 0) parameters.tracker.initial_up = up;
-  if (!mergeConfig(anyConfig(bytes), parameters).empty()) return 0;
-  if (const auto fault = findFault(parameters)) {
+  if (!ros_common::mergeConfig(anyConfig(bytes), parameters).empty()) return 0;
+  if (const auto fault = perception::findFault(parameters)) {
     require(!fault->reason.empty() && !fault->names.empty(), "what is refused has a reason");
     return 0;
   }
   // Larger ones are no different, and slow.
   constexpr std::size_t kMostCells = 5000;
   constexpr int kMostSamples = 3000;
-  if (GridGeometry(parameters.grid).size() > kMostCells) return 0;
+  if (perception::GridGeometry(parameters.grid).size() > kMostCells) return 0;
   if (parameters.samples.samples_x * parameters.samples.samples_y > kMostSamples) return 0;
   pipeline.process({frame.view(), 0.0, {}});
   pipeline.configure(parameters);

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 void require(bool holds, const char* what)
 {
@@ -13,14 +13,16 @@ void require(bool holds, const char* what)
   std::abort();
 }
 
-void requireSound(const Pipeline::Result& result, const FloorDetector::Parameters& parameters)
+void requireSound(const perception::Pipeline::Result& result,
+                  const perception::FloorDetector::Parameters& parameters)
 {
-  if (result.floor.status != FloorStatus::kNotFound) {
-    const Plane& plane = result.floor.floor.plane;
+  if (result.floor.status != perception::FloorStatus::kNotFound) {
+    const geometry::Plane& plane = result.floor.floor.plane;
     require(std::abs(plane.normal.norm() - 1.0) < 1e-6, "the floor's normal has unit length");
     require(std::isfinite(plane.distance), "the floor's distance is finite");
-    require(result.floor.status == FloorStatus::kHeld || (plane.distance >= parameters.min_camera_height &&
-                                                          plane.distance <= parameters.max_camera_height),
+    require(result.floor.status == perception::FloorStatus::kHeld ||
+                (plane.distance >= parameters.min_camera_height &&
+                 plane.distance <= parameters.max_camera_height),
             "a floor that is found is at a height that the camera can have");
     require(result.floor.age >= 0.0, "a floor is not younger than now");
     require(result.to_floor_frame.matrix().allFinite(), "the floor frame is finite");
@@ -33,7 +35,7 @@ void requireSound(const Pipeline::Result& result, const FloorDetector::Parameter
   for (std::size_t k = 0; k < occupied.size(); ++k) {
     require(occupied[k] <= inflated[k], "an occupied cell is inflated");
   }
-  for (const PolygonSet::Ring& ring : result.polygons.rings) {
+  for (const geometry::PolygonSet::Ring& ring : result.polygons.rings) {
     require(ring.size >= 3, "a ring has three vertices");
     require(ring.first + ring.size <= result.polygons.vertices.size(), "a ring has its vertices");
   }
@@ -42,4 +44,4 @@ void requireSound(const Pipeline::Result& result, const FloorDetector::Parameter
   }
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

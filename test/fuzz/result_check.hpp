@@ -1,14 +1,15 @@
 #pragma once
 
-#include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 /// Ends the program, as the fuzzer wants it, when `holds` is false.
 void require(bool holds, const char* what);
 
 /// What holds of the result of every frame, whatever it showed.
 /// @param parameters  of the floor that the frame may have shown
-void requireSound(const Pipeline::Result& result, const FloorDetector::Parameters& parameters = {});
+void requireSound(const perception::Pipeline::Result& result,
+                  const perception::FloorDetector::Parameters& parameters = {});
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

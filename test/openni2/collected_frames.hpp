@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/openni2/openni2_source.hpp"
+#include "polygonal_perception/cameras/openni2/openni2_source.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 
 using Depth = std::vector<std::uint16_t>;  // [mm] row by row
 
@@ -112,5 +111,4 @@ private:
   OpenNI2Source source_;  // last: its thread calls the rest
 };
 
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

@@ -7,8 +7,7 @@
 
 #include "virtual_driver/virtual_camera.hpp"
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 /// The virtual device's plug, put in and pulled by the test.
 class Plug
@@ -30,5 +29,4 @@ private:
   std::string path_;
 };
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

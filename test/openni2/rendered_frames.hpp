@@ -6,8 +6,7 @@
 
 #include "virtual_driver/virtual_camera.hpp"
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 /// The frames that the virtual device plays, rendered once more.
 class RenderedFrames
@@ -40,5 +39,4 @@ inline std::uint32_t indexOf(std::uint64_t timestamp, int rate = 30)
   return static_cast<std::uint32_t>(std::llround(1e-6 * static_cast<double>(timestamp) * rate));
 }
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "depth_modes.hpp"
+#include "cameras/openni2/depth_modes.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 namespace {
 
 void expectMode(int number, int width, int height, int rate)
@@ -35,5 +34,4 @@ TEST(DepthModes, NoOtherNumberChangesAnything)
 }
 
 }  // namespace
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "polygonal_perception/openni2/device_clock.hpp"
+#include "polygonal_perception/cameras/openni2/device_clock.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 namespace {
 
 constexpr double kPeriod = 1.0 / 30.0;  // [s]
@@ -75,5 +74,4 @@ TEST(DeviceClock, BeginsAnewWhenTheHostsClockJumps)
 }
 
 }  // namespace
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

@@ -15,10 +15,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plug.hpp"
-#include "polygonal_perception/floor_frame.hpp"
+#include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "rendered_frames.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 /// All messages of a topic by their stamps.
@@ -84,7 +84,7 @@ protected:
 std::vector<cv::Point2f> obstaclePoints(const simulation::SimulatedFrame& frame,
                                         const simulation::PinholeCamera& camera)
 {
-  const Eigen::Isometry3d to_floor = floorFrame(frame.floor, Eigen::Vector3d::UnitZ());
+  const Eigen::Isometry3d to_floor = perception::floorFrame(frame.floor, Eigen::Vector3d::UnitZ());
   std::vector<cv::Point2f> points;
   for (std::size_t i = 0; i < frame.depth.size(); i += 3) {
     const double z = frame.truth.depth[i];
@@ -119,7 +119,7 @@ bool isInsideOne(const cv::Point2f& point, const std::vector<std::vector<cv::Poi
   return false;
 }
 
-void compareFloor(const FloorPlane& found, const Plane& truth)
+void compareFloor(const FloorPlane& found, const geometry::Plane& truth)
 {
   ASSERT_EQ(found.status, FloorPlane::FOUND);
   const Eigen::Vector3d normal(found.normal.x, found.normal.y, found.normal.z);
@@ -189,7 +189,7 @@ TEST_F(OpenNI2CameraNodelet, FindsTheTrueFloorAndObstaclesAndSurvivesAnUnplug)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

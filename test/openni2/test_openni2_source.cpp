@@ -6,8 +6,7 @@
 #include "plug.hpp"
 #include "rendered_frames.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 namespace {
 
 using virtual_device::indexOf;
@@ -197,5 +196,4 @@ TEST_F(Source, SaysThatTheDeviceCannotRegister)
 }
 
 }  // namespace
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

@@ -9,8 +9,7 @@
 #include "plug.hpp"
 #include "rendered_frames.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 namespace {
 
 using virtual_device::RenderedFrames;
@@ -98,5 +97,4 @@ TEST_F(Recording, BeginsAgainWhereAsked)
 }
 
 }  // namespace
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

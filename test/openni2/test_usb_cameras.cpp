@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "usb_cameras.hpp"
+#include "cameras/openni2/usb_cameras.hpp"
 
-namespace polygonal_perception {
-namespace openni2 {
+namespace polygonal_perception::openni2 {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,5 +68,4 @@ TEST_F(UsbCameras, AMissingFolderIsNoError)
 }
 
 }  // namespace
-}  // namespace openni2
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::openni2

@@ -16,8 +16,7 @@
 #include "plug.hpp"
 #include "rendered_frames.hpp"
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 namespace {
 
 using openni::STATUS_OK;
@@ -320,5 +319,4 @@ TEST_F(VirtualDevice, HasNoColorWhereThatIsAskedFor)
 }
 
 }  // namespace
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <polygonal_perception/pipeline.hpp>
+#include <polygonal_perception/perception/pipeline.hpp>
 #include <vector>
 
 namespace {
@@ -38,7 +38,8 @@ std::vector<Point> renderBox()
 
 int main()
 {
-  using namespace polygonal_perception;
+  using namespace polygonal_perception::geometry;
+  using namespace polygonal_perception::perception;
   const std::vector<Point> points = renderBox();
   Frame frame;
   frame.points = PointView::points(points.data(), kWidth, kHeight);

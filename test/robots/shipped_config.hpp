@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "polygonal_perception/pipeline.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 /// The pipeline's numbers in a file of config/, which has one `name: value` a line.
-inline Pipeline::Parameters shippedParameters(const std::string& path)
+inline perception::Pipeline::Parameters shippedParameters(const std::string& path)
 {
   std::map<std::string, double> values;
   std::ifstream file(path);
@@ -22,8 +22,8 @@ inline Pipeline::Parameters shippedParameters(const std::string& path)
     if (words >> name >> value) values[name.substr(0, name.find(':'))] = value;
   }
   if (values.empty()) throw std::runtime_error("no parameters in " + path);
-  Pipeline::Parameters parameters;
-  Pipeline::Parameters::describe(
+  perception::Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters::describe(
       parameters, [&values](const char* name, auto& parameter, const auto& /*range*/, const char* /*unit*/,
                             const char* /*help*/) {
         const auto entry = values.find(name);
@@ -32,4 +32,4 @@ inline Pipeline::Parameters shippedParameters(const std::string& path)
   return parameters;
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
-#include "../contracts/error_statistics.hpp"
-#include "polygonal_perception/ros/tf_bridge.hpp"
+#include "polygonal_perception/ros/common/tf_bridge.hpp"
+#include "reference/error_statistics.hpp"
 #include "shipped_config.hpp"
 #include "tracked_leg.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 using simulation::SimulatedCamera;
@@ -27,40 +27,41 @@ class RobotRun : public testing::Test
 protected:
   void run(const std::string& scene, const std::string& robot, std::uint64_t seed)
   {
-    SimulatedCamera::Options options;
+    simulation::SimulatedCamera::Options options;
     options.scene = scene;
     options.trajectory = robot;
     options.seed = seed;
     options.rate = kRate;
     options.camera = simulation::PinholeCamera::ofSize(320, 240);
-    SimulatedCamera camera(options);
+    simulation::SimulatedCamera camera(options);
     parameters_ = shippedParameters(CONFIG_FOLDER "/" + robot + ".yaml");
     legs_ = findLegs(camera.scene(), parameters_.projection.min_height, parameters_.projection.max_height,
                      2.0 * parameters_.inflation.robot_radius + kClearance);
     const auto& pinhole = options.camera;
-    const PinholeRays rays =
-        PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
-    Pipeline pipeline(parameters_);
-    SimulatedFrame frame;
+    const perception::PinholeRays rays = perception::PinholeRays::make(
+        pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    perception::Pipeline pipeline(parameters_);
+    simulation::SimulatedFrame frame;
     for (int k = 0; k < kFrames; ++k) {
       camera.render(static_cast<std::uint32_t>(k), frame);
       SCOPED_TRACE(robot + ", frame " + std::to_string(k));
-      const PointView view = PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
-      const Pipeline::Result& result = pipeline.process({view, frame.time, std::nullopt});
-      ASSERT_EQ(result.floor.status, FloorStatus::kFound);
+      const perception::PointView view =
+          perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+      const perception::Pipeline::Result& result = pipeline.process({view, frame.time, std::nullopt});
+      ASSERT_EQ(result.floor.status, perception::FloorStatus::kFound);
       checkFloor(result.floor.floor.plane, frame);
       // As the node places them with output_frame odom, where odometry is right.
-      place_ = outputPose(frame.camera_to_world, result.to_floor_frame);
+      place_ = ros_common::outputPose(frame.camera_to_world, result.to_floor_frame);
       placePolygons(result.polygons);
       checkObstacles(frame, pinhole, camera.scene());
       trackLegs(frame, pinhole);
     }
   }
 
-  void checkFloor(const Plane& found, const SimulatedFrame& frame)
+  void checkFloor(const geometry::Plane& found, const simulation::SimulatedFrame& frame)
   {
-    const double degrees = normalError(found, frame.floor);
-    const double millimetres = heightError(found, frame.floor);
+    const double degrees = reference::normalError(found, frame.floor);
+    const double millimetres = reference::heightError(found, frame.floor);
     EXPECT_LT(degrees, kNormalBound);
     EXPECT_LT(millimetres, kHeightBound);
     worst_degrees_ = std::max(worst_degrees_, degrees);
@@ -73,10 +74,10 @@ protected:
                 worst_millimetres_, points_);
   }
 
-  void placePolygons(const PolygonSet& polygons)
+  void placePolygons(const geometry::PolygonSet& polygons)
   {
     boundaries_.clear();
-    for (const PolygonSet::Ring& ring : polygons.rings) {
+    for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
       if (ring.hole) continue;
       boundaries_.emplace_back();
       for (std::uint32_t i = 0; i < ring.size; ++i)
@@ -97,7 +98,7 @@ protected:
   }
 
   /// Every point of an obstacle that the camera saw lies in a polygon.
-  void checkObstacles(const SimulatedFrame& frame, const simulation::PinholeCamera& camera,
+  void checkObstacles(const simulation::SimulatedFrame& frame, const simulation::PinholeCamera& camera,
                       const simulation::Scene& scene)
   {
     bool sees_walker = false;
@@ -107,7 +108,8 @@ protected:
       const std::size_t row = i / camera.width;
       const double z = frame.truth.depth[i];
       // At an edge the sensor may return what lies behind.
-      if (frame.truth.surface[i] != Surface::kObstacle || !(std::abs(frame.depth[i] - z) < 0.05 * z))
+      if (frame.truth.surface[i] != simulation::Surface::kObstacle ||
+          !(std::abs(frame.depth[i] - z) < 0.05 * z))
         continue;
       const Eigen::Vector3d point =
           frame.camera_to_world *
@@ -128,7 +130,7 @@ protected:
     frames_with_walker_ += sees_walker ? 1 : 0;
   }
 
-  void trackLegs(const SimulatedFrame& frame, const simulation::PinholeCamera& camera)
+  void trackLegs(const simulation::SimulatedFrame& frame, const simulation::PinholeCamera& camera)
   {
     for (TrackedLeg& leg : legs_) {
       if (!leg.isInView(frame, camera)) continue;
@@ -167,7 +169,7 @@ protected:
   static constexpr double kWalkerRadius = 0.35;  // [m]
   static constexpr double kLargestLegs = 1.5;
 
-  Pipeline::Parameters parameters_;
+  perception::Pipeline::Parameters parameters_;
   std::vector<TrackedLeg> legs_;
   Eigen::Isometry2d place_ = Eigen::Isometry2d::Identity();
   std::vector<Ring> boundaries_;
@@ -203,4 +205,4 @@ TEST_F(RobotRun, NaoWalksAndATablesLegStaysWhereItIs)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 constexpr double kThickest = 0.06;           // [m] radius of a leg
@@ -101,4 +101,4 @@ std::vector<TrackedLeg> findLegs(const simulation::Scene& scene, double min_heig
   return legs;
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

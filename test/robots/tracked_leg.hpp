@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "polygonal_perception/simulation/pinhole_camera.hpp"
-#include "polygonal_perception/simulation/scene.hpp"
-#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "polygonal_perception/cameras/simulation/pinhole_camera.hpp"
+#include "polygonal_perception/cameras/simulation/scene.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 using Ring = std::vector<Eigen::Vector2d>;  // [m]
 
@@ -45,4 +45,4 @@ private:
 std::vector<TrackedLeg> findLegs(const simulation::Scene& scene, double min_height, double max_height,
                                  double clearance);
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

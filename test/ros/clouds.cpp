@@ -3,7 +3,7 @@
 #include <boost/make_shared.hpp>
 #include <cstdint>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 namespace {
 
@@ -55,4 +55,4 @@ sensor_msgs::PointCloud2Ptr wallCloud(ros::Time stamp, const std::string& frame)
   return cloudOf(stamp, frame, [](float) { return 0.5F; });
 }
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 
 /// What a camera 1 m above the floor sees that looks straight ahead: nothing but floor.
 sensor_msgs::PointCloud2Ptr floorCloud(ros::Time stamp,
@@ -15,4 +15,4 @@ sensor_msgs::PointCloud2Ptr floorCloud(ros::Time stamp,
 sensor_msgs::PointCloud2Ptr wallCloud(ros::Time stamp,
                                       const std::string& frame = "camera_depth_optical_frame");
 
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test

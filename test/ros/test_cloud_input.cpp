@@ -3,9 +3,9 @@
 #include <cstring>
 #include <limits>
 
-#include "polygonal_perception/ros/cloud_input.hpp"
+#include "ros/perception/cloud_input.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 using sensor_msgs::PointCloud2;
@@ -50,7 +50,7 @@ std::string errorOf(Spoil&& spoil)
 {
   PointCloud2 bad = cloud();
   spoil(bad);
-  const Expected<PointView> view = viewCloud(bad);
+  const ros_common::Expected<perception::PointView> view = viewCloud(bad);
   EXPECT_FALSE(view);
   return view.error();
 }
@@ -58,7 +58,7 @@ std::string errorOf(Spoil&& spoil)
 TEST(CloudInput, ReadsAnyOffsetsAndSteps)
 {
   const PointCloud2 message = cloud();
-  const Expected<PointView> view = viewCloud(message);
+  const ros_common::Expected<perception::PointView> view = viewCloud(message);
   ASSERT_TRUE(view) << view.error();
   EXPECT_EQ(view->width(), 3U);
   EXPECT_EQ(view->height(), 2U);
@@ -122,4 +122,4 @@ TEST(CloudInput, SaysWhatIsWrongWithTheMemory)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "polygonal_perception/ros/depth_input.hpp"
+#include "ros/perception/depth_input.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 constexpr std::uint32_t kWidth = 4;
@@ -59,7 +59,7 @@ std::string errorOf(Spoil&& spoil)
   sensor_msgs::CameraInfoPtr bad_info = info();
   spoil(bad, *bad_info);
   input.setCameraInfo(bad_info);
-  const Expected<PointView> view = input.view(bad);
+  const ros_common::Expected<perception::PointView> view = input.view(bad);
   EXPECT_FALSE(view);
   return view.error();
 }
@@ -69,7 +69,7 @@ TEST(DepthInput, ReadsMillimetresAndMetresByTheRectifiedProjection)
   DepthInput input("/camera/camera_info");
   input.setCameraInfo(info());
   for (const sensor_msgs::Image& image : {millimetres(), metres()}) {
-    const Expected<PointView> view = input.view(image);
+    const ros_common::Expected<perception::PointView> view = input.view(image);
     ASSERT_TRUE(view) << view.error();
     // z (u - cx) / fx, z (v - cy) / fy, z
     EXPECT_TRUE(view->point(0, 0).isApprox(Eigen::Vector3f(-0.5F, -0.125F, 1.0F)))
@@ -95,7 +95,7 @@ TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)
   full->P = {4.0, 0.0, 6.0, 0.0, 0.0, 8.0, 3.0, 0.0, 0.0, 0.0, 1.0, 0.0};
   input.setCameraInfo(full);
   const sensor_msgs::Image message = millimetres();
-  const Expected<PointView> view = input.view(message);
+  const ros_common::Expected<perception::PointView> view = input.view(message);
   ASSERT_TRUE(view) << view.error();
   EXPECT_TRUE(view->point(2, 1).isApprox(Eigen::Vector3f(3.5F, 0.875F, 7.0F)))
       << view->point(2, 1).transpose();
@@ -178,4 +178,4 @@ TEST(DepthInput, SaysWhatIsWrongWithTheCalibration)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "polygonal_perception/ros/diagnostics.hpp"
+#include "ros/perception/diagnostics.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -29,9 +29,9 @@ protected:
     return status;
   }
 
-  FrameStatistics::Clock::time_point start_ = FrameStatistics::Clock::now();
+  ros_common::FrameStatistics::Clock::time_point start_ = ros_common::FrameStatistics::Clock::now();
   NodeState state_;
-  FrameStatistics statistics_;
+  ros_common::FrameStatistics statistics_;
   std::map<std::string, std::string> values_;
 };
 
@@ -65,7 +65,7 @@ TEST_F(DiagnosticsTest, SilenceIsAnErrorThatNamesTheTopic)
 
 TEST_F(DiagnosticsTest, CountsRateAndTimes)
 {
-  StageTimes times;
+  perception::StageTimes times;
   times.samples = milliseconds(1);
   times.floor = milliseconds(2);
   for (int i = 0; i < 10; ++i) {
@@ -75,7 +75,7 @@ TEST_F(DiagnosticsTest, CountsRateAndTimes)
     statistics_.answered(times, milliseconds(i == 9 ? 6 : 1));
   }
   statistics_.dropped(1);
-  state_.floor.status = FloorStatus::kFound;
+  state_.floor.status = perception::FloorStatus::kFound;
   state_.floor.floor.plane.distance = 1.25;
   state_.attitude = CameraAttitude{0.5, -0.1};
   const DiagnosticStatus status = report(milliseconds(1000));
@@ -107,7 +107,7 @@ TEST_F(DiagnosticsTest, NoFloorIsAWarningAndAHeldOneIsNot)
 {
   statistics_.received(1, start_);
   EXPECT_EQ(report(milliseconds(100)).level, DiagnosticStatus::WARN);
-  state_.floor.status = FloorStatus::kHeld;
+  state_.floor.status = perception::FloorStatus::kHeld;
   state_.floor.age = 0.3;
   const DiagnosticStatus status = report(milliseconds(100));
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
@@ -116,7 +116,7 @@ TEST_F(DiagnosticsTest, NoFloorIsAWarningAndAHeldOneIsNot)
 
 TEST_F(DiagnosticsTest, RejectedFramesAreAnErrorWhenAllAre)
 {
-  state_.floor.status = FloorStatus::kFound;
+  state_.floor.status = perception::FloorStatus::kFound;
   statistics_.received(1, start_);
   statistics_.rejected("field 'x' is missing");
   const DiagnosticStatus status = report(milliseconds(100));
@@ -146,4 +146,4 @@ TEST_F(DiagnosticsTest, TheGapAfterThePublishersFirstFrameIsCounted)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

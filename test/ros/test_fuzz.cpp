@@ -6,11 +6,11 @@
 #include <limits>
 #include <random>
 
-#include "polygonal_perception/pipeline.hpp"
-#include "polygonal_perception/ros/cloud_input.hpp"
-#include "polygonal_perception/ros/depth_input.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+#include "ros/perception/cloud_input.hpp"
+#include "ros/perception/depth_input.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 constexpr int kRounds = 4000;
@@ -58,7 +58,7 @@ private:
 TEST(Fuzz, Clouds)
 {
   Nonsense nonsense;
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   int accepted = 0;
   for (int round = 0; round < kRounds; ++round) {
     sensor_msgs::PointCloud2 cloud;
@@ -77,7 +77,7 @@ TEST(Fuzz, Clouds)
     }
     cloud.data.resize(nonsense.rarely() ? 1000 : 18 * 24 * 16);
     nonsense.fill(cloud.data);
-    const Expected<PointView> view = viewCloud(cloud);
+    const ros_common::Expected<perception::PointView> view = viewCloud(cloud);
     if (!view) {
       EXPECT_FALSE(view.error().empty());
       continue;
@@ -91,7 +91,7 @@ TEST(Fuzz, Clouds)
 TEST(Fuzz, DepthImages)
 {
   Nonsense nonsense;
-  Pipeline pipeline{Pipeline::Parameters{}};
+  perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
   DepthInput input("camera_info");
   int accepted = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -111,7 +111,7 @@ TEST(Fuzz, DepthImages)
     image.step = nonsense.size(metres ? 96 : 48);
     image.data.resize(nonsense.rarely() ? 100 : 18 * 96);
     nonsense.fill(image.data);
-    const Expected<PointView> view = input.view(image);
+    const ros_common::Expected<perception::PointView> view = input.view(image);
     if (!view) {
       EXPECT_FALSE(view.error().empty());
       continue;
@@ -123,4 +123,4 @@ TEST(Fuzz, DepthImages)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

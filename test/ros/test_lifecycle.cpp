@@ -12,9 +12,9 @@
 
 #include "clouds.hpp"
 #include "polygonal_perception/PolygonArray.h"
-#include "polygonal_perception/ros/polygonal_perception_ros.hpp"
+#include "ros/perception/polygonal_perception_ros.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 constexpr int kLives = 60;  // unless ~lives says otherwise
@@ -74,7 +74,7 @@ TEST(Lifecycle, EndsCleanlyWhileFramesReadersAndCallsArrive)
   const int lives = ros::param::param("~lives", kLives);
   for (int life = 0; life < lives; ++life) {
     private_handle.setParam("lazy", life % 2 == 0);
-    const PolygonalPerceptionRos perception(handle, private_handle);
+    const ros_perception::PolygonalPerceptionRos perception(handle, private_handle);
     const int before = answers;
     if (life % 10 != 9) continue;
     // Every tenth life lasts until it has answered, the others end at once.
@@ -89,7 +89,7 @@ TEST(Lifecycle, EndsCleanlyWhileFramesReadersAndCallsArrive)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

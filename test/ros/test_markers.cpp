@@ -1,17 +1,17 @@
 #include <gtest/gtest.h>
 
-#include "polygonal_perception/ros/markers.hpp"
+#include "ros/perception/markers.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
 /// A square of 4 x 4 with a square hole of 2 x 2.
-PolygonSet squareRing()
+geometry::PolygonSet squareRing()
 {
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   polygons.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 3}, {3, 3}, {3, 1}};
   polygons.rings = {{0, 4, false}, {4, 4, true}};
   return polygons;
@@ -53,7 +53,7 @@ TEST(Markers, FillHasTheAreaAndOutlineTheEdgesOfThePolygons)
 TEST(Markers, NoPolygonsTakeTheOldOnesAway)
 {
   MarkerArray markers;
-  appendPolygonMarkers(std_msgs::Header(), PolygonSet(), Eigen::Isometry2d::Identity(), markers);
+  appendPolygonMarkers(std_msgs::Header(), geometry::PolygonSet(), Eigen::Isometry2d::Identity(), markers);
   ASSERT_EQ(markers.markers.size(), 2U);
   EXPECT_EQ(markers.markers[0].action, Marker::DELETE);
   EXPECT_EQ(markers.markers[1].action, Marker::DELETE);
@@ -61,8 +61,8 @@ TEST(Markers, NoPolygonsTakeTheOldOnesAway)
 
 TEST(Markers, TheNormalStandsUnderTheCamera)
 {
-  FloorState floor;
-  floor.status = FloorStatus::kFound;
+  perception::FloorState floor;
+  floor.status = perception::FloorStatus::kFound;
   floor.floor.plane = {-Eigen::Vector3d::UnitY(), 1.5};
   MarkerArray markers;
   appendFloorMarkers(std_msgs::Header(), floor, {{0, 1.5F, 1}, {1, 1.5F, 1}, {0, 1.5F, 2}}, markers);
@@ -77,11 +77,12 @@ TEST(Markers, TheNormalStandsUnderTheCamera)
 TEST(Markers, NoFloorTakesTheOldOneAway)
 {
   MarkerArray markers;
-  appendFloorMarkers(std_msgs::Header(), FloorState(), {{0, 1.5F, 1}, {1, 1.5F, 1}, {0, 1.5F, 2}}, markers);
+  appendFloorMarkers(std_msgs::Header(), perception::FloorState(), {{0, 1.5F, 1}, {1, 1.5F, 1}, {0, 1.5F, 2}},
+                     markers);
   ASSERT_EQ(markers.markers.size(), 2U);
   EXPECT_EQ(markers.markers[0].action, Marker::DELETE);
   EXPECT_EQ(markers.markers[1].action, Marker::DELETE);
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "polygonal_perception/ros/message_conversions.hpp"
-#include "polygonal_perception/ros/obstacle_points.hpp"
+#include "ros/perception/message_conversions.hpp"
+#include "ros/perception/obstacle_points.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 std_msgs::Header header()
@@ -14,9 +14,9 @@ std_msgs::Header header()
   return header;
 }
 
-FloorState floor(FloorStatus status)
+perception::FloorState floor(perception::FloorStatus status)
 {
-  FloorState state;
+  perception::FloorState state;
   state.status = status;
   state.floor.plane = {Eigen::Vector3d(0.0, -0.8, -0.6), 1.25};
   state.floor.rms_error = 0.002;
@@ -36,7 +36,8 @@ Eigen::Isometry2d quarterTurn()
 
 TEST(MessageConversions, AFloorIsSaidWhole)
 {
-  const FloorPlanePtr message = toFloorPlane(header(), floor(FloorStatus::kHeld), {{1.0F, 2.0F, 3.0F}});
+  const FloorPlanePtr message =
+      toFloorPlane(header(), floor(perception::FloorStatus::kHeld), {{1.0F, 2.0F, 3.0F}});
   EXPECT_EQ(message->header.stamp, header().stamp);
   EXPECT_EQ(message->header.frame_id, "frame");
   EXPECT_EQ(message->status, FloorPlane::HELD);
@@ -48,26 +49,27 @@ TEST(MessageConversions, AFloorIsSaidWhole)
   ASSERT_EQ(message->hull.size(), 1U);
   EXPECT_EQ(message->hull[0].z, 3.0F);
 
-  const auto coefficients = toModelCoefficients(header(), floor(FloorStatus::kFound));
+  const auto coefficients = toModelCoefficients(header(), floor(perception::FloorStatus::kFound));
   EXPECT_EQ(coefficients->values, (std::vector<float>{0.0F, -0.8F, -0.6F, 1.25F}));
 }
 
 TEST(MessageConversions, NoFloorSaysNothingOfAnOldOne)
 {
-  const FloorPlanePtr message = toFloorPlane(header(), floor(FloorStatus::kNotFound), {{1.0F, 2.0F, 3.0F}});
+  const FloorPlanePtr message =
+      toFloorPlane(header(), floor(perception::FloorStatus::kNotFound), {{1.0F, 2.0F, 3.0F}});
   EXPECT_EQ(message->status, FloorPlane::NOT_FOUND);
   EXPECT_EQ(message->distance, 0.0);
   EXPECT_TRUE(message->hull.empty());
-  EXPECT_TRUE(toModelCoefficients(header(), floor(FloorStatus::kNotFound))->values.empty());
+  EXPECT_TRUE(toModelCoefficients(header(), floor(perception::FloorStatus::kNotFound))->values.empty());
 }
 
 TEST(MessageConversions, AGridIsPlacedByItsOrigin)
 {
-  GridParameters size;
+  perception::GridParameters size;
   size.grid_length = 0.3;
   size.grid_width = 0.2;
   size.grid_resolution = 0.1;
-  BinaryGrid grid{GridGeometry(size)};
+  perception::BinaryGrid grid{perception::GridGeometry(size)};
   grid.set(2, 1);
   const auto message = toOccupancyGrid(header(), grid, quarterTurn());
   EXPECT_EQ(message->info.width, 3U);
@@ -87,10 +89,11 @@ TEST(MessageConversions, AGridIsPlacedByItsOrigin)
 
 TEST(MessageConversions, HolesGoToTheirPolygon)
 {
-  PolygonSet polygons;
+  geometry::PolygonSet polygons;
   polygons.vertices = {{0, 0}, {3, 0}, {0, 3}, {1, 1}, {1, 1.5}, {1.5, 1}, {5, 5}, {6, 5}, {5, 6}};
   polygons.rings = {{0, 3, false}, {3, 3, true}, {6, 3, false}};
-  const PolygonArrayPtr message = toPolygonArray(header(), polygons, quarterTurn(), FloorStatus::kHeld);
+  const PolygonArrayPtr message =
+      toPolygonArray(header(), polygons, quarterTurn(), perception::FloorStatus::kHeld);
   EXPECT_EQ(message->floor_status, FloorPlane::HELD);
   ASSERT_EQ(message->polygons.size(), 2U);
   ASSERT_EQ(message->polygons[0].boundary.points.size(), 3U);
@@ -100,7 +103,8 @@ TEST(MessageConversions, HolesGoToTheirPolygon)
   EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].x, 0.5F);
   EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].y, 2.0F);
   EXPECT_TRUE(message->polygons[1].holes.empty());
-  EXPECT_TRUE(toPolygonArray(header(), polygons, quarterTurn(), FloorStatus::kNotFound)->polygons.empty());
+  EXPECT_TRUE(toPolygonArray(header(), polygons, quarterTurn(), perception::FloorStatus::kNotFound)
+                  ->polygons.empty());
 }
 
 TEST(MessageConversions, ObstaclePointsKeepTheirHeight)
@@ -117,4 +121,4 @@ TEST(MessageConversions, ObstaclePointsKeepTheirHeight)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/parameter_check.hpp"
-#include "polygonal_perception/ros/node_parameters.hpp"
+#include "polygonal_perception/perception/parameter_check.hpp"
+#include "ros/perception/node_parameters.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -36,7 +36,7 @@ TEST_F(NodeParametersTest, AreTheDefaultsWhereNothingIsSet)
   EXPECT_EQ(parameters.floor_frame, "floor");
   EXPECT_TRUE(parameters.output_frame.empty());
   EXPECT_TRUE(parameters.lazy);
-  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, Inflation::Parameters{}.robot_radius);
+  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, perception::Inflation::Parameters{}.robot_radius);
 }
 
 TEST_F(NodeParametersTest, GoodValuesAreTaken)
@@ -85,7 +85,7 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   EXPECT_EQ(parameters.input, "cloud");
   EXPECT_EQ(parameters.floor_frame, "floor");
   EXPECT_EQ(parameters.pipeline.samples.samples_x, 32);
-  EXPECT_FALSE(findFault(parameters.pipeline));
+  EXPECT_FALSE(perception::findFault(parameters.pipeline));
 }
 
 TEST_F(NodeParametersTest, ValuesThatContradictEachOtherFallBackTogether)
@@ -116,7 +116,7 @@ TEST_F(NodeParametersTest, SlipsOfThePenAreFound)
 
 TEST_F(NodeParametersTest, AreWrittenBack)
 {
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   parameters.inflation.robot_radius = 0.45;
   parameters.samples.samples_y = 24;
   writePipelineParameters(handle_, parameters);
@@ -166,7 +166,7 @@ TEST(ParameterTable, IsTheOneInTheReadme)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception
 
 int main(int argc, char** argv)
 {

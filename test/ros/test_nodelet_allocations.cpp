@@ -6,13 +6,13 @@
 
 #include <cstring>
 
-#include "../core/allocation_counter.hpp"
-#include "../core/box_scene.hpp"
 #include "polygonal_perception/PolygonArray.h"
-#include "polygonal_perception/ros/frame_processor.hpp"
-#include "polygonal_perception/ros/message_conversions.hpp"
+#include "ros/perception/frame_processor.hpp"
+#include "ros/perception/message_conversions.hpp"
+#include "support/allocation_counter.hpp"
+#include "support/box_scene.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 sensor_msgs::PointCloud2Ptr boxCloud()
@@ -20,8 +20,9 @@ sensor_msgs::PointCloud2Ptr boxCloud()
   BoxScene scene;
   scene.boxes = {{Eigen::Vector3d(1.8, -0.3, 0.0), Eigen::Vector3d(2.2, 0.3, 0.4)}};
   const std::vector<float> depth = scene.depth();
-  const PinholeRays rays = scene.rays();
-  const PointView points = PointView::depth(depth.data(), sizeof(float) * scene.width, rays);
+  const perception::PinholeRays rays = scene.rays();
+  const perception::PointView points =
+      perception::PointView::depth(depth.data(), sizeof(float) * scene.width, rays);
   auto cloud = boost::make_shared<sensor_msgs::PointCloud2>();
   cloud->header.frame_id = "camera_depth_optical_frame";
   cloud->height = scene.height;
@@ -45,12 +46,12 @@ protected:
   }
 
   /// Allocations of the processor for the last of some frames.
-  std::size_t ofAFrame(FrameProcessor& processor)
+  std::size_t ofAFrame(ros_perception::FrameProcessor& processor)
   {
     std::size_t count = 0;
     for (int k = 0; k < 10; ++k) {
       cloud_->header.stamp += ros::Duration(0.033);
-      const InputFrame frame{cloud_, nullptr};
+      const ros_perception::InputFrame frame{cloud_, nullptr};
       const AllocationCounter counter;
       processor.process(frame, false);
       count = counter.count();
@@ -60,18 +61,18 @@ protected:
   }
 
   ros::NodeHandle node_{"~"};
-  NodeParameters parameters_;
+  ros_perception::NodeParameters parameters_;
   sensor_msgs::PointCloud2Ptr cloud_ = boxCloud();
-  Outputs outputs_{node_, [] {}};
-  FrameStatistics statistics_;
-  ThrottledLog log_{"test"};
+  ros_perception::Outputs outputs_{node_, [] {}};
+  ros_common::FrameStatistics statistics_;
+  ros_common::ThrottledLog log_{"test"};
 };
 
 TEST_F(NodeletAllocations, AreNoneWithoutReaders)
 {
-  FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
+  ros_perception::FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
   EXPECT_EQ(ofAFrame(processor), 0U);
-  EXPECT_EQ(processor.floor().status, FloorStatus::kFound);
+  EXPECT_EQ(processor.floor().status, perception::FloorStatus::kFound);
 }
 
 TEST_F(NodeletAllocations, AreThePolygonsWithAReaderOfThem)
@@ -81,7 +82,7 @@ TEST_F(NodeletAllocations, AreThePolygonsWithAReaderOfThem)
     polygons = p;
   };
   const ros::Subscriber reader = node_.subscribe<PolygonArray>("polygons", 5, keep);
-  FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
+  ros_perception::FrameProcessor processor(parameters_, "camera_info", outputs_, statistics_, log_);
   const std::size_t count = ofAFrame(processor);
   ASSERT_TRUE(polygons);
   ASSERT_EQ(polygons->polygons.size(), 1U);
@@ -102,7 +103,7 @@ TEST_F(NodeletAllocations, AreThePolygonsWithAReaderOfThem)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

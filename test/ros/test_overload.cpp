@@ -14,7 +14,7 @@
 #include "clouds.hpp"
 #include "polygonal_perception/PolygonArray.h"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 const ros::WallDuration kDeadline(30.0);  // on a busy machine
@@ -142,7 +142,7 @@ TEST_F(Overload, OfOneMessageThatComesTwice)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

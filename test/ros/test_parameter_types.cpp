@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "polygonal_perception/ros/node_parameters.hpp"
+#include "ros/perception/node_parameters.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -30,7 +30,8 @@ class Entries
 {
 public:
   template <class T>
-  void operator()(const char* name, T& value, const Range& range, const char* /*unit*/, const char* /*help*/)
+  void operator()(const char* name, T& value, const parameters::Range& range, const char* /*unit*/,
+                  const char* /*help*/)
   {
     add(name, value, [range](XmlRpcValue& from) {
       const double number = numberOf(from);
@@ -186,7 +187,7 @@ TEST_F(ParameterTypes, ANamespaceThatIsNoneAndNamesBelowAParameterAreSurvived)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception
 
 int main(int argc, char** argv)
 {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "reconfigure_messages.hpp"
+#include "ros/common/reconfigure_messages.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_common {
 namespace {
 
 using dynamic_reconfigure::Config;
@@ -19,7 +19,7 @@ auto valueOf(const Parameters& parameters, const std::string& name)
 
 TEST(ReconfigureMessages, ASetGoesThereAndBack)
 {
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   parameters.inflation.robot_radius = 0.2;
   parameters.samples.samples_x = 48;
   const Config config = toConfig(parameters);
@@ -28,7 +28,7 @@ TEST(ReconfigureMessages, ASetGoesThereAndBack)
   ASSERT_EQ(config.groups.size(), 1U);
   EXPECT_EQ(config.groups[0].name, "Default");
 
-  Pipeline::Parameters copy;
+  perception::Pipeline::Parameters copy;
   EXPECT_EQ(mergeConfig(config, copy), "");
   EXPECT_EQ(copy.inflation.robot_radius, 0.2);
   EXPECT_EQ(copy.samples.samples_x, 48);
@@ -56,7 +56,7 @@ TEST(ReconfigureMessages, WhatIsNotNamedStays)
   config.ints.resize(1);
   config.ints[0].name = "grid_length";  // a whole number will do
   config.ints[0].value = 4;
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   parameters.projection.max_height = 1.1;
   EXPECT_EQ(mergeConfig(config, parameters), "");
   EXPECT_EQ(parameters.inflation.robot_radius, 0.5);
@@ -66,7 +66,7 @@ TEST(ReconfigureMessages, WhatIsNotNamedStays)
 
 TEST(ReconfigureMessages, UnknownNamesAndWrongTypesAreFound)
 {
-  Pipeline::Parameters parameters;
+  perception::Pipeline::Parameters parameters;
   Config config;
   config.doubles.resize(1);
   config.doubles[0].name = "samples_x";
@@ -78,4 +78,4 @@ TEST(ReconfigureMessages, UnknownNamesAndWrongTypesAreFound)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_common

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "polygonal_perception/ros/samples_image.hpp"
+#include "ros/perception/samples_image.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 constexpr std::uint32_t kWidth = 64;
@@ -14,21 +14,22 @@ constexpr std::uint32_t kHeight = 64;
 TEST(SamplesImage, DotsTellWhatBecameOfTheSamples)
 {
   // A depth image: 1 m everywhere, no return in its right half.
-  const PinholeRays rays = PinholeRays::make(kWidth, kHeight, 60.0, 60.0, 32.0, 32.0);
+  const perception::PinholeRays rays = perception::PinholeRays::make(kWidth, kHeight, 60.0, 60.0, 32.0, 32.0);
   std::vector<std::uint16_t> depth(kWidth * kHeight, 1000);
   for (std::uint32_t v = 0; v < kHeight; ++v) {
     std::fill(depth.begin() + v * kWidth + kWidth / 2, depth.begin() + (v + 1) * kWidth, 0);
   }
-  const PointView points = PointView::depth(depth.data(), kWidth * sizeof(std::uint16_t), rays);
-  SampleGrid::Parameters four;
+  const perception::PointView points =
+      perception::PointView::depth(depth.data(), kWidth * sizeof(std::uint16_t), rays);
+  perception::SampleGrid::Parameters four;
   four.samples_x = four.samples_y = 4;
-  SampleGrid samples(four);
+  perception::SampleGrid samples(four);
   samples.update(points);
   // Columns at the pixels 0, 21, 42, 63.
-  std::vector<SampleLabel> labels(16, SampleLabel::kNoPoint);
+  std::vector<perception::SampleLabel> labels(16, perception::SampleLabel::kNoPoint);
   for (std::size_t row = 0; row < 4; ++row) {
-    labels[4 * row] = SampleLabel::kFloor;
-    labels[4 * row + 1] = row < 2 ? SampleLabel::kPruned : SampleLabel::kSegment;
+    labels[4 * row] = perception::SampleLabel::kFloor;
+    labels[4 * row + 1] = row < 2 ? perception::SampleLabel::kPruned : perception::SampleLabel::kSegment;
   }
 
   const auto image = toSamplesImage(std_msgs::Header(), points, samples, labels, Eigen::Vector3d::UnitZ());
@@ -52,4 +53,4 @@ TEST(SamplesImage, DotsTellWhatBecameOfTheSamples)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_perception

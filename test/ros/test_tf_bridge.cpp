@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "polygonal_perception/floor_frame.hpp"
-#include "polygonal_perception/ros/camera_attitude.hpp"
-#include "polygonal_perception/ros/tf_bridge.hpp"
+#include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "polygonal_perception/ros/common/tf_bridge.hpp"
+#include "ros/perception/camera_attitude.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::ros_common {
 namespace {
 
 /// From an optical frame to the body frame that belongs to it (x ahead, y left, z up).
@@ -33,7 +33,8 @@ Eigen::Isometry3d camera(double x, double y, double z, double yaw, double pitch,
 /// What the detector would find of a floor at z = 0.
 Eigen::Isometry3d toFloor(const Eigen::Isometry3d& camera)
 {
-  return floorFrame({camera.linear().row(2).transpose(), camera.translation().z()}, Eigen::Vector3d::UnitZ());
+  return perception::floorFrame({camera.linear().row(2).transpose(), camera.translation().z()},
+                                Eigen::Vector3d::UnitZ());
 }
 
 TEST(OutputPose, IsThePlaceUnderTheCameraAndItsHeading)
@@ -90,8 +91,8 @@ TEST(CameraAttitude, PitchIsDownAndRollIsLeftSideUp)
   for (const double pitch : {-0.3, 0.0, 0.7}) {
     for (const double roll : {-0.2, 0.0, 0.3}) {
       const Eigen::Isometry3d pose = camera(0.0, 0.0, 1.0, 1.1, pitch, roll);
-      const CameraAttitude attitude = cameraAttitude(pose.linear().row(2).transpose(),
-                                                     Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY());
+      const ros_perception::CameraAttitude attitude = ros_perception::cameraAttitude(
+          pose.linear().row(2).transpose(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY());
       EXPECT_NEAR(attitude.pitch, pitch, 1e-12);
       EXPECT_NEAR(attitude.roll, roll, 1e-12);
     }
@@ -99,4 +100,4 @@ TEST(CameraAttitude, PitchIsDownAndRollIsLeftSideUp)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::ros_common

@@ -13,9 +13,9 @@
 #include "clouds.hpp"
 #include "polygonal_perception/FloorPlane.h"
 #include "polygonal_perception/PolygonArray.h"
-#include "polygonal_perception/ros/polygonal_perception_ros.hpp"
+#include "ros/perception/polygonal_perception_ros.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 const ros::WallDuration kDeadline(30.0);  // on a busy machine
@@ -40,7 +40,7 @@ protected:
     transforms_ = handle_.subscribe("/tf", 100, &TimeTest::onTransform, this);
     floors_ = private_handle_.subscribe("floor", 100, &TimeTest::onFloor, this);
     polygons_ = private_handle_.subscribe("polygons", 100, &TimeTest::onPolygons, this);
-    node_ = std::make_unique<PolygonalPerceptionRos>(handle_, private_handle_);
+    node_ = std::make_unique<ros_perception::PolygonalPerceptionRos>(handle_, private_handle_);
     waitFor("the connections", [this] {
       return clouds_.getNumSubscribers() > 0 && floors_.getNumPublishers() > 0 &&
              polygons_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0 &&
@@ -101,7 +101,7 @@ protected:
   std::vector<PolygonArray> polygon_answers_;
   std::vector<ros::Time> transform_stamps_;
   std::size_t reports_ = 0;
-  std::unique_ptr<PolygonalPerceptionRos> node_;
+  std::unique_ptr<ros_perception::PolygonalPerceptionRos> node_;
 };
 
 TEST_F(TimeTest, WithoutAClockFramesAreAnsweredByTheirOwnStamps)
@@ -233,12 +233,12 @@ TEST_F(TimeTest, NoDiagnosticPeriodTakesTheNodeDown)
     // And at its start.
     const ros::NodeHandle other(handle_, "other");
     other.setParam("diagnostic_period", period);
-    EXPECT_NO_THROW(PolygonalPerceptionRos(handle_, other)) << period;
+    EXPECT_NO_THROW(ros_perception::PolygonalPerceptionRos(handle_, other)) << period;
   }
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

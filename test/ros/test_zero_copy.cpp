@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
-#include "../core/box_scene.hpp"
 #include "polygonal_perception/FloorPlane.h"
 #include "polygonal_perception/PolygonArray.h"
+#include "support/box_scene.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 constexpr double kDeadline = 20.0;  // [s]
@@ -72,8 +72,9 @@ private:
 void writeTo(sensor_msgs::PointCloud2& cloud, const BoxScene& scene)
 {
   const std::vector<float> depth = scene.depth();
-  const PinholeRays rays = scene.rays();
-  const PointView points = PointView::depth(depth.data(), sizeof(float) * scene.width, rays);
+  const perception::PinholeRays rays = scene.rays();
+  const perception::PointView points =
+      perception::PointView::depth(depth.data(), sizeof(float) * scene.width, rays);
   sensor_msgs::PointCloud2Iterator<float> at(cloud, "x");
   for (std::uint32_t v = 0; v < scene.height; ++v) {
     for (std::uint32_t u = 0; u < scene.width; ++u, ++at) std::memcpy(&*at, points.point(u, v).data(), 12);
@@ -109,7 +110,7 @@ void publishCalibration(const ros::Publisher& publisher, const BoxScene& scene, 
   info.header.frame_id = kFrame;
   info.width = scene.width;
   info.height = scene.height;
-  const PinholeRays rays = scene.rays();
+  const perception::PinholeRays rays = scene.rays();
   const double focal_length = 1.0 / (rays.column_slope[1] - rays.column_slope[0]);
   info.P = {focal_length,
             0.0,
@@ -193,7 +194,7 @@ TEST(ZeroCopy, TheDepthImageThatIsPublishedIsTheOneThatIsRead)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "message_geometry.hpp"
+#include "rviz/message_geometry.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 namespace {
 
 geometry_msgs::Polygon ring(const std::vector<Eigen::Vector2f>& corners)
@@ -41,7 +41,7 @@ TEST(MessageGeometry, ABoundaryIsFollowedByItsHoles)
   ObstaclePolygon polygon;
   polygon.boundary = ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   polygon.holes = {ring({{1, 1}, {1, 3}, {3, 3}})};
-  const std::optional<PolygonSet> polygons = toPolygonSet(polygon);
+  const std::optional<geometry::PolygonSet> polygons = toPolygonSet(polygon);
   ASSERT_TRUE(polygons);
   ASSERT_EQ(polygons->rings.size(), 2U);
   EXPECT_FALSE(polygons->rings[0].hole);
@@ -113,4 +113,4 @@ TEST(MessageGeometry, APatchWithoutAHullLiesUnderTheOrigin)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "message_status.hpp"
+#include "rviz/message_status.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 namespace {
 
 using rviz::StatusProperty;
@@ -75,4 +75,4 @@ TEST(MessageStatus, PolygonsHolesAndVerticesAreCounted)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "polygon_colors.hpp"
+#include "rviz/polygon_colors.hpp"
 
-namespace polygonal_perception {
+namespace polygonal_perception::displays {
 namespace {
 
 TEST(PolygonColors, PolygonsOfAMessageDiffer)
@@ -47,4 +47,4 @@ TEST(PolygonColors, TheHueOfAPolygonThatIsGoneIsGivenAgain)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::displays

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "polygonal_perception/simulation/depth_noise.hpp"
+#include "polygonal_perception/cameras/simulation/depth_noise.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 /// A bright wall that faces the camera.
@@ -202,5 +201,4 @@ TEST(DepthNoise, AParameterOutOfRangeIsRefusedByName)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

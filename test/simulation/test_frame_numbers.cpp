@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 constexpr std::size_t kFrames = 5;
@@ -49,7 +49,7 @@ TEST(FrameNumbers, AreConsecutiveInTheCamerasOwnProcess)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

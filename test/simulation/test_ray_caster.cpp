@@ -2,11 +2,10 @@
 
 #include <cmath>
 
-#include "polygonal_perception/simulation/ray_caster.hpp"
-#include "polygonal_perception/simulation/trajectory.hpp"
+#include "polygonal_perception/cameras/simulation/ray_caster.hpp"
+#include "polygonal_perception/cameras/simulation/trajectory.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 Scene floorOnly()
@@ -104,5 +103,4 @@ TEST(RayCaster, AnEmptySceneHasNoReturns)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

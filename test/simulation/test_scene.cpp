@@ -3,10 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "polygonal_perception/simulation/scene.hpp"
+#include "polygonal_perception/cameras/simulation/scene.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 TEST(Scene, SeedsGiveDifferentLayoutsAndTheSameSeedTheSame)
@@ -129,5 +128,4 @@ TEST(Scene, SomebodyWalksInABusyOfficeAndThroughNothing)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

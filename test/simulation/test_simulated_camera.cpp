@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 SimulatedCamera::Options small(const std::string& scene, const std::string& trajectory, std::uint64_t seed)
@@ -125,5 +124,4 @@ TEST(SimulatedCamera, MillimetresAreRoundedAndZeroWhereThereIsNone)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <map>
 
-namespace polygonal_perception {
+namespace polygonal_perception::test {
 namespace {
 
 /// All messages of a topic by their stamps.
@@ -153,7 +153,7 @@ TEST_F(SimulatedCameraTopics, TruthAgreesWithTheTransformsAndTheCloud)
 }
 
 }  // namespace
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::test
 
 int main(int argc, char** argv)
 {

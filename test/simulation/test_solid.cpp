@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "polygonal_perception/simulation/solid.hpp"
+#include "polygonal_perception/cameras/simulation/solid.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 double area(const Outline& outline)
@@ -73,5 +72,4 @@ TEST(Solid, TrianglesFaceOutwards)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

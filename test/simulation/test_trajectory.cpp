@@ -3,10 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "polygonal_perception/simulation/trajectory.hpp"
+#include "polygonal_perception/cameras/simulation/trajectory.hpp"
 
-namespace polygonal_perception {
-namespace simulation {
+namespace polygonal_perception::simulation {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -124,5 +123,4 @@ TEST(Trajectory, UnknownNameIsRefused)
 }
 
 }  // namespace
-}  // namespace simulation
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::simulation

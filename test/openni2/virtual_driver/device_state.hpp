@@ -7,8 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 /// What the streams of an opened device share.
 class DeviceState
@@ -37,5 +36,4 @@ private:
   std::optional<Clock::time_point> epoch_;
 };
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "polygonal_perception/simulation/simulated_camera.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 
 /// What the virtual device sees and how it is called: its driver and the tests share this. It is made like an
 /// ASUS Xtion Pro Live, and answers all that openni2_camera asks of such a device.
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 constexpr const char* kUri = "virtual@1/1";
 constexpr const char* kVendor = "polygonal_perception";
@@ -67,5 +66,4 @@ inline std::uint64_t timestampOf(std::uint32_t index, int rate)
   return std::uint64_t{1000000} * index / static_cast<std::uint64_t>(rate);
 }
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

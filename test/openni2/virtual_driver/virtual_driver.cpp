@@ -19,8 +19,7 @@
 #define XN_NEW(Type, argument) new Type(argument)
 #define XN_DELETE(pointer) delete (pointer)
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 /// How long a device is away at least when its plug is pulled and put in again. That of a USB device is, too:
 /// openni2_camera, which looks once a second, relies on it.
@@ -182,7 +181,6 @@ private:
   std::thread watcher_;
 };
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device
 
 ONI_EXPORT_DRIVER(polygonal_perception::virtual_device::VirtualDriver)

@@ -6,8 +6,7 @@
 #include <cstring>
 #include <memory>
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 namespace {
 
 constexpr int kMaxDepth = 10000;  // [mm] as PrimeSense's devices report
@@ -258,5 +257,4 @@ void VirtualStream::send(const std::vector<std::uint16_t>& millimetres, const On
   getServices().releaseFrame(frame);
 }
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

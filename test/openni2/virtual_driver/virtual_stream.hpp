@@ -11,8 +11,7 @@
 #include "device_state.hpp"
 #include "virtual_camera.hpp"
 
-namespace polygonal_perception {
-namespace virtual_device {
+namespace polygonal_perception::virtual_device {
 
 /// A stream of depth, or of grey pictures of it for the other two sensors, that plays the simulated camera's
 /// frames as the device's clock has it. While it runs none is left out: it falls behind where the machine is
@@ -51,5 +50,4 @@ private:
   std::thread thread_;
 };
 
-}  // namespace virtual_device
-}  // namespace polygonal_perception
+}  // namespace polygonal_perception::virtual_device

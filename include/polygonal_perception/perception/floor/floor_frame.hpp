@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "polygonal_perception/export.hpp"
+#include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/perception/floor/sample_grid.hpp"
+
+namespace polygonal_perception::perception {
+
+/// The transform M of section IV: from the input's frame into the floor frame, whose origin lies on the floor
+/// under the input frame's origin, whose x axis is the camera's forward direction along the floor and whose z
+/// axis is up.
+///
+/// The rotation is built from cross products of vectors that cannot be parallel, so that it exists for every
+/// floor, an exactly level one included (the paper's axis-angle form divides by zero there).
+///
+/// @param floor    unit normal, up
+/// @param forward  the camera's viewing direction in the input's frame, any length. Where it is within about
+/// 1 degree of
+///                 the floor's normal (a camera that looks straight down or up), the input axis that is
+///                 nearest to the floor plane stands in for it.
+POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d floorFrame(const geometry::Plane& floor,
+                                                         const Eigen::Vector3d& forward);
+
+/// The camera's forward direction in the input's frame: of the frame's six axis directions, those along `up`
+/// left out, the one that the samples lie along. It is z for an optical frame and x for a body frame, and
+/// nobody has to say which.
+///
+/// @param up  the initial up vector in the input's frame, any length
+/// @return a unit axis, or nothing where no sample has a point
+POLYGONAL_PERCEPTION_EXPORT std::optional<Eigen::Vector3d> forwardAxis(const SampleGrid& samples,
+                                                                       const Eigen::Vector3d& up);
+
+}  // namespace polygonal_perception::perception

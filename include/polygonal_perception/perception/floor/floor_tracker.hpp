@@ -1,0 +1,104 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "polygonal_perception/export.hpp"
+#include "polygonal_perception/parameters/parameter_table.hpp"
+#include "polygonal_perception/perception/floor/floor_detector.hpp"
+#include "polygonal_perception/perception/floor/view_change.hpp"
+
+namespace polygonal_perception::perception {
+
+/// As the constants of FloorPlane.msg.
+enum class FloorStatus : std::uint8_t
+{
+  kNotFound = 0,
+  kFound = 1,
+  kHeld = 2
+};
+
+/// The floor as it stands after a frame.
+struct FloorState
+{
+  FloorStatus status = FloorStatus::kNotFound;
+  DetectedFloor floor;  ///< meaningful unless NOT_FOUND; when HELD it is that of an earlier frame
+  double age = 0.0;     ///< [s] since the floor was FOUND
+};
+
+/// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds
+/// a floor for a while when a frame does not show it, and forgets it after that.
+class POLYGONAL_PERCEPTION_EXPORT FloorTracker
+{
+public:
+  struct Parameters
+  {
+    Eigen::Vector3d initial_up{0.0, -1.0, 0.0};  ///< in the input's frame, any length but 0
+    bool up_feedback = true;                     ///< the found normal is the next frame's up vector
+    double floor_timeout = 0.5;                  ///< [s] how long a floor is held
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("floor_timeout", self.floor_timeout, parameters::Range{0.0, 60.0}, "s",
+            "How long a floor that is not seen any more is held before it is given up.");
+    }
+  };
+
+  FloorTracker(const Parameters& parameters, const FloorDetector::Parameters& detector)
+      : parameters_(parameters), detector_(detector)
+  {
+  }
+
+  /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first, and
+  ///                    with the same one no floor is held
+  /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without
+  /// up_feedback
+  const FloorState& update(const PointView& points, const SampleGrid& grid, double stamp,
+                           const std::optional<Eigen::Vector3d>& up_from_tf);
+
+  /// Takes on new parameters with the next frame and keeps the floor.
+  void configure(const Parameters& parameters, const FloorDetector::Parameters& detector);
+
+  /// Forgets everything; the next frame starts from the seed.
+  void reset();
+
+  /// Whether the update at `stamp` has no floor to start from, and so wants an up vector from tf if there is
+  /// one.
+  bool needsSeed(double stamp) const { return !parameters_.up_feedback || !standsAt(stamp); }
+
+  const FloorState& state() const { return state_; }
+  const FloorDetector& detector() const { return detector_; }
+
+private:
+  /// A level plane that was seen with the floor and is not it.
+  struct OtherPlane
+  {
+    double offset = 0.0;                                      // [m] above the floor
+    double stamp = -std::numeric_limits<double>::infinity();  // [s] when it was last seen
+  };
+
+  void forgetView();
+  void remember(const DetectedFloor& floor, double stamp);
+  /// Whether a floor is known and not yet held too long.
+  bool standsAt(double stamp) const
+  {
+    return state_.status != FloorStatus::kNotFound && stamp - *found_stamp_ <= parameters_.floor_timeout;
+  }
+  FloorPrior prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const;
+
+  Parameters parameters_;
+  FloorDetector detector_;
+  ViewChange view_change_;
+  FloorState state_;
+  bool view_is_new_ = false;  // nothing that was known helps with this view
+  std::optional<double> found_stamp_;
+  std::optional<double> last_stamp_;
+  std::array<OtherPlane, 8> others_{};
+  int streak_ = 0;  // frames that showed this floor, as far as it matters
+};
+
+}  // namespace polygonal_perception::perception

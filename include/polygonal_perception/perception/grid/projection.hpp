@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "polygonal_perception/export.hpp"
+#include "polygonal_perception/parameters/parameter_table.hpp"
+#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/input/point_view.hpp"
+
+namespace polygonal_perception::perception {
+
+struct ProjectionKernel;
+
+/// Transforms every point of a frame into the floor frame and marks the cells of the grid in which something
+/// stands (section IV).
+///
+/// A point stands in the grid when min_height <= height <= max_height and its cell is one of the grid's; NaN
+/// never does. This is decided in single precision, in an order of operations that is fixed
+/// (projection_kernel.hpp), so that the same frame gives the same grid on every processor.
+class POLYGONAL_PERCEPTION_EXPORT Projection
+{
+public:
+  struct Parameters
+  {
+    double min_height = 0.03;     ///< [m] lower points are floor
+    double max_height = 0.60;     ///< [m] higher points are nothing the robot could touch
+    int min_points_per_cell = 1;  ///< a cell with fewer points stays free
+
+    template <class Self, class Visitor>
+    static void describe(Self& self, Visitor&& visit)
+    {
+      visit("min_height", self.min_height, parameters::Range{-1.0, 5.0}, "m",
+            "Points lower than this are floor.");
+      visit("max_height", self.max_height, parameters::Range{0.0, 10.0}, "m",
+            "Points higher than this are passed under by the robot.");
+      visit("min_points_per_cell", self.min_points_per_cell, parameters::Range{1, 255}, "",
+            "A cell with fewer points than this stays free.");
+    }
+  };
+
+  /// With the widest kernel that this processor can run.
+  explicit Projection(const Parameters& parameters);
+  /// With a certain kernel; it must outlive the projection.
+  Projection(const Parameters& parameters, const ProjectionKernel& kernel);
+  Projection(Projection&& other) noexcept;
+  Projection& operator=(Projection&& other) noexcept;
+  ~Projection();
+
+  const Parameters& parameters() const { return parameters_; }
+
+  /// Marks the cells in which at least min_points_per_cell points of the frame stand.
+  /// @param points          the frame; pixels without a return count for nothing
+  /// @param to_floor_frame  from the input's frame into the floor frame
+  /// @param occupancy       keeps its geometry; its cells are set anew
+  void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy);
+
+  /// Collects the points that stand in a grid, however few there are in a cell.
+  /// @param geometry  of the grid
+  /// @param standing  filled anew, in the floor frame [m]
+  void collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
+               std::vector<Eigen::Vector3f>& standing);
+
+private:
+  struct Workspace;
+
+  void markAny(std::uint32_t rows, BinaryGrid& occupancy);
+  void markMany(std::uint32_t rows, BinaryGrid& occupancy);
+
+  Parameters parameters_;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace polygonal_perception::perception

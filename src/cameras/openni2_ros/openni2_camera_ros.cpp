@@ -1,0 +1,107 @@
+#include "cameras/openni2_ros/openni2_camera_ros.hpp"
+
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <boost/make_shared.hpp>
+#include <cstring>
+
+#include "cameras/openni2/depth_modes.hpp"
+
+namespace polygonal_perception::openni2_ros {
+namespace {
+
+openni2::SourceOptions readOptions(const ros::NodeHandle& node)
+{
+  openni2::SourceOptions options;
+  node.param("device_id", options.device_id, options.device_id);
+  node.param("width", options.width, options.width);
+  node.param("height", options.height, options.height);
+  node.param("rate", options.rate, options.rate);
+  int mode = 0;
+  if (node.getParam("depth_mode", mode) && !openni2::setDepthMode(mode, options)) {
+    ROS_ERROR("%s/depth_mode is %d, must be within 1..12; the mode is %dx%d at %d Hz",
+              node.getNamespace().c_str(), mode, options.width, options.height, options.rate);
+  }
+  node.param("depth_registration", options.registration, options.registration);
+  node.param("mirror", options.mirror, options.mirror);
+  node.param("loop", options.loop, options.loop);
+  return options;
+}
+
+sensor_msgs::ImagePtr toImage(const openni2::DepthFrame& frame, const std_msgs::Header& header)
+{
+  auto image = boost::make_shared<sensor_msgs::Image>();
+  image->header = header;
+  image->width = frame.width;
+  image->height = frame.height;
+  image->encoding = sensor_msgs::image_encodings::TYPE_16UC1;
+  image->step = frame.width * static_cast<std::uint32_t>(sizeof(std::uint16_t));
+  image->data.resize(std::size_t{image->step} * frame.height);
+  for (std::size_t row = 0; row < frame.height; ++row)
+    std::memcpy(image->data.data() + row * image->step, frame.data + row * frame.step, image->step);
+  return image;
+}
+
+}  // namespace
+
+OpenNI2CameraRos::OpenNI2CameraRos(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+{
+  const openni2::SourceOptions options = readOptions(private_node);
+  // As openni2_camera names them: registered depth is the colour camera's.
+  const std::string view = options.registration ? "rgb" : "depth";
+  private_node.param(view + "_frame_id", frame_id_, "camera_" + view + "_optical_frame");
+  const auto url = private_node.param<std::string>(view + "_camera_info_url", "");
+  calibration_ = std::make_unique<DepthCalibration>(ros::NodeHandle(node, "depth"), view, url);
+
+  // Readers may come while this is under way: they wait until all members are there.
+  const std::lock_guard<std::mutex> lock(mutex_);
+  image_transport::ImageTransport transport(node);
+  const auto on_image = [this](const image_transport::SingleSubscriberPublisher&) { onReaders(); };
+  const auto on_info = [this](const ros::SingleSubscriberPublisher&) { onReaders(); };
+  raw_ = transport.advertiseCamera("depth/image_raw", 1, on_image, on_image, on_info, on_info);
+  if (url.empty()) {
+    for (const char* name : {"depth/image_rect", "depth/image_rect_raw"})
+      rectified_.push_back(transport.advertise(name, 1, on_image, on_image));
+  }
+  source_ = std::make_unique<openni2::OpenNI2Source>(
+      options, [this](const openni2::DepthFrame& frame) { onFrame(frame); },
+      [name = private_node.getNamespace()](openni2::Severity severity, const std::string& text) {
+        if (severity == openni2::Severity::kWarning) {
+          ROS_WARN("%s: %s", name.c_str(), text.c_str());
+        } else {
+          ROS_INFO("%s: %s", name.c_str(), text.c_str());
+        }
+      });
+}
+
+OpenNI2CameraRos::~OpenNI2CameraRos()
+{
+  // The source publishes, and readers call the source: it ends first.
+  const std::lock_guard<std::mutex> lock(mutex_);
+  source_.reset();
+}
+
+void OpenNI2CameraRos::onReaders()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!source_) return;
+  std::uint32_t readers = raw_.getNumSubscribers();
+  for (const image_transport::Publisher& publisher : rectified_) readers += publisher.getNumSubscribers();
+  source_->setStreaming(readers > 0);
+}
+
+void OpenNI2CameraRos::onFrame(const openni2::DepthFrame& frame)
+{
+  std_msgs::Header header;
+  header.seq = ++sequence_;
+  header.frame_id = frame_id_;
+  header.stamp.fromSec(clock_.toHost(frame.timestamp, ros::Time::now().toSec()));
+  const sensor_msgs::ImageConstPtr image = toImage(frame, header);
+  raw_.publish(image, calibration_->cameraInfo(frame, header));
+  for (const image_transport::Publisher& publisher : rectified_) {
+    if (publisher.getNumSubscribers() > 0) publisher.publish(image);
+  }
+}
+
+}  // namespace polygonal_perception::openni2_ros

@@ -1,0 +1,77 @@
+#include "polygonal_perception/cameras/simulation/scene.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/cameras/simulation/random.hpp"
+
+namespace polygonal_perception::simulation {
+namespace {
+
+struct Layout
+{
+  const char* name;
+  void (*lay_out)(Scene&, Random&);
+};
+
+constexpr std::array<Layout, 9> kLayouts{{{"corridor", layOutCorridor},
+                                          {"office", layOutOffice},
+                                          {"busy_office", layOutBusyOffice},
+                                          {"person", layOutPerson},
+                                          {"table_top", layOutTableTop},
+                                          {"wall", layOutWall},
+                                          {"doorway", layOutDoorway},
+                                          {"stairs", layOutStairs},
+                                          {"ledge", layOutLedge}}};
+
+}  // namespace
+
+void Scene::walkersAt(double time, std::vector<Solid>& people) const
+{
+  people.clear();
+  for (const Walker& walker : walkers) addPerson(people, walker.at(time));
+}
+
+std::vector<Outline> Scene::obstacles(double time, double min_height, double max_height) const
+{
+  std::vector<Outline> outlines;
+  const auto add = [&](const Solid& solid) {
+    if (solid.surface != Surface::kObstacle) return;
+    Outline outline = footprint(solid, min_height, max_height);
+    if (outline.size() >= 3) outlines.push_back(std::move(outline));
+  };
+  for (const Solid& solid : solids) add(solid);
+  std::vector<Solid> people;
+  walkersAt(time, people);
+  for (const Solid& solid : people) add(solid);
+  return outlines;
+}
+
+const std::vector<std::string>& sceneNames()
+{
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    all.reserve(kLayouts.size());
+    for (const Layout& layout : kLayouts) all.emplace_back(layout.name);
+    return all;
+  }();
+  return names;
+}
+
+Scene makeScene(const std::string& name, std::uint64_t seed)
+{
+  for (std::size_t i = 0; i < kLayouts.size(); ++i) {
+    if (name != kLayouts[i].name) continue;
+    Scene scene;
+    scene.name = name;
+    Random random(seed, i);
+    kLayouts[i].lay_out(scene, random);
+    return scene;
+  }
+  std::string known;
+  for (const std::string& other : sceneNames()) known += ' ' + other;
+  throw std::invalid_argument("no scene is named '" + name + "'; there are:" + known);
+}
+
+}  // namespace polygonal_perception::simulation

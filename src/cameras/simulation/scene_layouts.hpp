@@ -1,0 +1,19 @@
+#pragma once
+
+#include "polygonal_perception/cameras/simulation/random.hpp"
+#include "polygonal_perception/cameras/simulation/scene.hpp"
+
+namespace polygonal_perception::simulation {
+
+// Each lays out one kind of scene; see sceneNames().
+void layOutCorridor(Scene& scene, Random& random);
+void layOutOffice(Scene& scene, Random& random);
+void layOutBusyOffice(Scene& scene, Random& random);
+void layOutPerson(Scene& scene, Random& random);
+void layOutTableTop(Scene& scene, Random& random);
+void layOutWall(Scene& scene, Random& random);
+void layOutDoorway(Scene& scene, Random& random);
+void layOutStairs(Scene& scene, Random& random);
+void layOutLedge(Scene& scene, Random& random);
+
+}  // namespace polygonal_perception::simulation

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/PolygonArray.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <vector>
+
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+
+namespace polygonal_perception::simulation_ros {
+
+/// Millimetres as 16UC1, as openni2_camera publishes them.
+sensor_msgs::ImagePtr toImage(const simulation::SimulatedFrame& frame,
+                              const simulation::PinholeCamera& camera, const std_msgs::Header& header);
+
+/// A pinhole without distortion.
+sensor_msgs::CameraInfo toCameraInfo(const simulation::PinholeCamera& camera, const std_msgs::Header& header);
+
+/// Organised, float32 x, y, z in steps of 16 bytes, NaN where there is no return, as depth_image_proc
+/// publishes it.
+sensor_msgs::PointCloud2Ptr toCloud(const simulation::SimulatedFrame& frame,
+                                    const simulation::PinholeCamera& camera, const std_msgs::Header& header);
+
+/// The true floor. NOT_FOUND where no pixel shows it; the plane is given all the same.
+FloorPlane toFloor(const simulation::SimulatedFrame& frame, const std_msgs::Header& header);
+
+/// The true outlines on the floor, not inflated; they may overlap.
+PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const std_msgs::Header& header);
+
+/// The world -> base and base -> camera transforms of a camera pose: the base stands under the camera, its x
+/// axis where the camera looks along the floor. The camera's body frame has x forward, y left, z up.
+std::vector<geometry_msgs::TransformStamped> toTransforms(const Eigen::Isometry3d& camera_to_world,
+                                                          const ros::Time& stamp, const std::string& world,
+                                                          const std::string& base, const std::string& body);
+
+/// The turn from the camera's body frame into its optical frame.
+geometry_msgs::TransformStamped toOpticalTransform(const ros::Time& stamp, const std::string& body,
+                                                   const std::string& optical);
+
+}  // namespace polygonal_perception::simulation_ros

@@ -1,0 +1,118 @@
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polygonal_perception::perception {
+
+namespace {
+
+constexpr double kHeightTolerance = 0.06;  // [m] from one frame to the next
+constexpr double kVerticalSpeed = 0.1;     // [m/s]
+/// How long after it was last seen the floor's height still says something about the camera's.
+constexpr double kHeightMemory = 3.0;  // [s]
+/// The same for a lower storey: the robot may stand at its edge and look down for a while.
+constexpr double kDropMemory = 20.0;  // [s]
+/// Offsets nearer than this are those of one plane.
+constexpr double kSameOffset = 0.1;  // [m]
+/// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
+constexpr int kConfirmedAfter = 5;
+/// A plane nearer than this may as well be a table top that the camera looks over: it never counts as confirmed. A
+/// robot with a lower camera has max_camera_height to keep it off lower storeys.
+constexpr double kLeastConfirmedHeight = 0.38;  // [m]
+
+}  // namespace
+
+void FloorTracker::configure(const Parameters& parameters, const FloorDetector::Parameters& detector)
+{
+  parameters_ = parameters;
+  detector_ = FloorDetector(detector);
+}
+
+void FloorTracker::reset()
+{
+  state_ = FloorState{};
+  found_stamp_.reset();
+  last_stamp_.reset();
+  view_change_.reset();
+  forgetView();
+}
+
+void FloorTracker::forgetView()
+{
+  view_is_new_ = true;
+  streak_ = 0;
+  others_.fill(OtherPlane{});
+}
+
+FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const
+{
+  FloorPrior prior;
+  const bool known = state_.status != FloorStatus::kNotFound && !view_is_new_;
+  if (parameters_.up_feedback && known) {
+    prior.up = state_.floor.plane.normal;
+    prior.up_is_measured = true;
+  } else if (up_from_tf) {
+    prior.up = up_from_tf->normalized();
+    prior.up_is_measured = true;
+  } else {
+    prior.up = parameters_.initial_up.normalized();
+  }
+  if (!found_stamp_ || view_is_new_) return prior;
+
+  const double unseen = stamp - *found_stamp_;
+  for (const OtherPlane& other : others_) {
+    if (stamp - other.stamp < (other.offset < 0.0 ? kDropMemory : kHeightMemory))
+      prior.others.add(other.offset);
+  }
+  if (unseen < kHeightMemory || prior.others.begin() != prior.others.end()) {
+    prior.height = state_.floor.plane.distance;
+    prior.height_tolerance = kHeightTolerance + kVerticalSpeed * unseen;
+    prior.confirmed = streak_ >= kConfirmedAfter && known;
+  }
+  return prior;
+}
+
+void FloorTracker::remember(const DetectedFloor& floor, double stamp)
+{
+  const bool lasts = floor.continued && floor.plane.distance > kLeastConfirmedHeight;
+  streak_ = lasts ? std::min(streak_ + 1, kConfirmedAfter) : 1;
+  for (const double offset : floor.others) {
+    auto same = std::find_if(others_.begin(), others_.end(), [&](const OtherPlane& other) {
+      return std::abs(other.offset - offset) < kSameOffset;
+    });
+    if (same == others_.end()) {
+      same = std::min_element(others_.begin(), others_.end(),
+                              [](const OtherPlane& a, const OtherPlane& b) { return a.stamp < b.stamp; });
+    }
+    *same = {offset, stamp};
+  }
+  state_ = {FloorStatus::kFound, floor, 0.0};
+  view_is_new_ = false;
+  found_stamp_ = stamp;
+}
+
+const FloorState& FloorTracker::update(const PointView& points, const SampleGrid& grid, double stamp,
+                                       const std::optional<Eigen::Vector3d>& up_from_tf)
+{
+  if (last_stamp_ && stamp < *last_stamp_) reset();
+  const bool time_passes = last_stamp_ && stamp > *last_stamp_;
+  last_stamp_ = stamp;
+  if (view_change_.update(grid)) forgetView();
+  // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
+  if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
+
+  if (const auto floor = detector_.detect(points, grid, prior(stamp, up_from_tf))) {
+    remember(*floor, stamp);
+  } else if (state_.status != FloorStatus::kNotFound && time_passes) {
+    state_.status = FloorStatus::kHeld;
+    state_.age = stamp - *found_stamp_;
+  } else {
+    // Where the stamps stand still (a driver that sets none, a clock that stopped) nobody knows how old it
+    // is.
+    state_.status = FloorStatus::kNotFound;
+  }
+  return state_;
+}
+
+}  // namespace polygonal_perception::perception

@@ -1,0 +1,27 @@
+#include "polygonal_perception/perception/floor/view_change.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polygonal_perception::perception {
+
+bool ViewChange::update(const SampleGrid& grid)
+{
+  constexpr float kOtherRange = 0.15F;
+  const auto& samples = grid.samples();
+  const bool comparable = ranges_.size() == samples.size();
+  ranges_.resize(samples.size(), 0.0F);
+  std::size_t compared = 0;
+  std::size_t changed = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const float before = ranges_[k];
+    const float now = samples[k].has_point ? samples[k].point.norm() : 0.0F;
+    ranges_[k] = now;
+    if (!(before > 0.0F && now > 0.0F)) continue;
+    ++compared;
+    changed += std::abs(now - before) > kOtherRange * std::min(now, before) ? 1 : 0;
+  }
+  return comparable && compared * 10 > samples.size() && changed * 2 > compared;
+}
+
+}  // namespace polygonal_perception::perception

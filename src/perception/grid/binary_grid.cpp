@@ -1,0 +1,26 @@
+#include "polygonal_perception/perception/grid/binary_grid.hpp"
+
+#include <cmath>
+
+namespace polygonal_perception::perception {
+
+namespace {
+
+int cellsToCover(double length, double resolution)
+{
+  // A length of 100.0000001 cells is a rounding error away from 100.
+  constexpr double kRounding = 1e-6;
+  return std::max(1, static_cast<int>(std::ceil(length / resolution - kRounding)));
+}
+
+}  // namespace
+
+GridGeometry::GridGeometry(const GridParameters& parameters)
+    : cells_x(cellsToCover(parameters.grid_length, parameters.grid_resolution)),
+      cells_y(cellsToCover(parameters.grid_width, parameters.grid_resolution)),
+      resolution(parameters.grid_resolution),
+      origin_y(-0.5 * cells_y * parameters.grid_resolution)
+{
+}
+
+}  // namespace polygonal_perception::perception

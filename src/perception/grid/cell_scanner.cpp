@@ -1,0 +1,131 @@
+#include "perception/grid/cell_scanner.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace polygonal_perception::perception {
+
+namespace {
+
+constexpr std::size_t kPackedPoint = 16;
+
+std::uint32_t wholeBlocks(std::uint32_t pixels)
+{
+  return pixels / kBlock * kBlock;
+}
+std::uint32_t roundedUp(std::uint32_t pixels)
+{
+  return wholeBlocks(pixels + kBlock - 1);
+}
+
+/// Whether a kernel can take the points from where they lie.
+bool isPacked(const PointView::CloudStrides& strides)
+{
+  return strides.point_step == kPackedPoint && strides.x_offset == 0 && strides.y_offset == 4 &&
+         strides.z_offset == 8;
+}
+
+/// Copies `count` points to 16 bytes each and fills up a block with points that are none.
+void pack(const std::uint8_t* from, std::uint32_t count, const PointView::CloudStrides& strides,
+          std::uint8_t* to)
+{
+  const bool adjacent = strides.y_offset == strides.x_offset + 4 && strides.z_offset == strides.x_offset + 8;
+  std::uint32_t u = 0;
+  for (; u < count; ++u, from += strides.point_step, to += kPackedPoint) {
+    if (adjacent) {
+      std::memcpy(to, from + strides.x_offset, 12);
+    } else {
+      std::memcpy(to, from + strides.x_offset, 4);
+      std::memcpy(to + 4, from + strides.y_offset, 4);
+      std::memcpy(to + 8, from + strides.z_offset, 4);
+    }
+  }
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kNothing[3] = {kNaN, kNaN, kNaN};
+  for (; u < roundedUp(count); ++u, to += kPackedPoint) std::memcpy(to, kNothing, sizeof kNothing);
+}
+
+}  // namespace
+
+void CellScanner::begin(const PointView& points, const CellTransform& transform)
+{
+  points_ = points;
+  transform_ = transform;
+  const std::uint32_t width = roundedUp(points.width());
+  blocks_.resize(width / kBlock);
+  packed_.resize(kPackedPoint * width);
+  if (points.layout() == PointLayout::kCloud) {
+    pixel_ = kernel_->cloud_pixel;
+    return;
+  }
+  const bool metres = points.layout() == PointLayout::kDepthMetres;
+  pixel_ = metres ? kernel_->metres_pixel : kernel_->millimetres_pixel;
+  unit_ = metres ? 1.0F : 0.001F;
+  column_shares_.assign(std::size_t{3} * width, 0.0F);
+  for (std::uint32_t k = 0; k < width; ++k) {
+    const std::uint32_t u = k / kBlock * kBlock + pixel_[k % kBlock];
+    if (u >= points.width()) continue;
+    const float slope = unit_ * points.rays()->column_slope[u];
+    column_shares_[k] = transform.height.x * slope;
+    column_shares_[width + k] = transform.column.x * slope;
+    column_shares_[2 * width + k] = transform.row.x * slope;
+  }
+}
+
+CellScanner::Row CellScanner::row(std::uint32_t v)
+{
+  const std::uint32_t count = points_.layout() == PointLayout::kCloud ? cloudRow(v) : depthRow(v);
+  return {blocks_.data(), blocks_.data() + count};
+}
+
+std::uint32_t CellScanner::cloudRow(std::uint32_t v)
+{
+  const PointView::CloudStrides& strides = points_.strides();
+  const std::uint8_t* const points = points_.row(v);
+  const std::uint32_t whole = isPacked(strides) ? wholeBlocks(points_.width()) : 0;
+  std::uint32_t count = kernel_->cloud(points, whole, transform_, blocks_.data());
+  const std::uint32_t rest = points_.width() - whole;
+  if (rest == 0) return count;
+
+  pack(points + whole * strides.point_step, rest, strides, packed_.data());
+  CellBlock* block = blocks_.data() + count;
+  count += kernel_->cloud(packed_.data(), roundedUp(rest), transform_, block);
+  for (; block != blocks_.data() + count; ++block) block->first += whole;
+  return count;
+}
+
+std::uint32_t CellScanner::depthRow(std::uint32_t v)
+{
+  const bool metres = points_.layout() == PointLayout::kDepthMetres;
+  const auto run = metres ? kernel_->metres : kernel_->millimetres;
+  const std::size_t pixel_size = metres ? sizeof(float) : sizeof(std::uint16_t);
+  const std::size_t width = roundedUp(points_.width());
+  const float slope = points_.rays()->row_slope[v];
+  const auto share = [&](const CellTransform::Coefficients& of) { return unit_ * (of.y * slope + of.z); };
+
+  DepthRow row = {points_.row(v),
+                  column_shares_.data(),
+                  column_shares_.data() + width,
+                  column_shares_.data() + 2 * width,
+                  share(transform_.height),
+                  share(transform_.column),
+                  share(transform_.row)};
+  const std::uint32_t whole = wholeBlocks(points_.width());
+  std::uint32_t count = run(row, whole, transform_, blocks_.data());
+  const std::uint32_t rest = points_.width() - whole;
+  if (rest == 0) return count;
+
+  std::memcpy(packed_.data(), row.depth + whole * pixel_size, rest * pixel_size);
+  std::memset(packed_.data() + rest * pixel_size, 0, (kBlock - rest) * pixel_size);
+  row.depth = packed_.data();
+  row.heights += whole;
+  row.columns += whole;
+  row.rows += whole;
+  CellBlock* const block = blocks_.data() + count;
+  count += run(row, kBlock, transform_, block);
+  if (block != blocks_.data() + count) block->first += whole;
+  return count;
+}
+
+}  // namespace polygonal_perception::perception

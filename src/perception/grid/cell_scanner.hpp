@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "perception/grid/projection_kernel.hpp"
+#include "polygonal_perception/perception/input/point_view.hpp"
+
+namespace polygonal_perception::perception {
+
+/// Runs a frame through a projection kernel, row by row: brings any layout, any width and any alignment into
+/// the shape that the kernel takes.
+class CellScanner
+{
+public:
+  /// The cells of a row of the image.
+  struct Row
+  {
+    const CellBlock* first;
+    const CellBlock* last;  ///< one past the end
+
+    const CellBlock* begin() const { return first; }
+    const CellBlock* end() const { return last; }
+  };
+
+  explicit CellScanner(const ProjectionKernel& kernel) : kernel_(&kernel) {}
+
+  /// Turns to a frame, which must stay where it is until its rows are done.
+  void begin(const PointView& points, const CellTransform& transform);
+
+  /// The cells of row v; they stand until the next call.
+  Row row(std::uint32_t v);
+
+  /// The column of the pixel that a lane of a block holds.
+  std::uint32_t column(const CellBlock& block, std::uint32_t lane) const
+  {
+    return block.first + pixel_[lane];
+  }
+
+private:
+  std::uint32_t cloudRow(std::uint32_t v);
+  std::uint32_t depthRow(std::uint32_t v);
+
+  const ProjectionKernel* kernel_;
+  const std::uint8_t* pixel_ = nullptr;
+  PointView points_;
+  CellTransform transform_{};
+  float unit_ = 1.0F;                 // [m] of the numbers in a depth image
+  std::vector<float> column_shares_;  // of the height, the column and the row, one after the other
+  std::vector<std::uint8_t> packed_;  // pixels that the kernel cannot take from where they lie
+  std::vector<CellBlock> blocks_;
+};
+
+}  // namespace polygonal_perception::perception

@@ -1,0 +1,127 @@
+#include "polygonal_perception/perception/grid/projection.hpp"
+
+#include <algorithm>
+
+#include "perception/grid/cell_scanner.hpp"
+
+namespace polygonal_perception::perception {
+
+namespace {
+
+CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
+                            const Projection::Parameters& parameters)
+{
+  const auto& rotation = to_floor_frame.linear();
+  const Eigen::Vector3d& origin = to_floor_frame.translation();
+  const auto coefficients = [&](Eigen::Index axis, double scale) {
+    const Eigen::Vector3f c = (scale * rotation.row(axis)).cast<float>();
+    return CellTransform::Coefficients{c.x(), c.y(), c.z()};
+  };
+  const double cells_per_metre = 1.0 / geometry.resolution;
+  CellTransform transform{};
+  transform.height = coefficients(2, 1.0);
+  transform.column = coefficients(0, cells_per_metre);
+  transform.row = coefficients(1, cells_per_metre);
+  transform.column_offset = static_cast<float>((origin.x() - geometry.origin_x) * cells_per_metre);
+  transform.row_offset = static_cast<float>((origin.y() - geometry.origin_y) * cells_per_metre);
+  transform.lowest = static_cast<float>(parameters.min_height - origin.z());
+  transform.highest = static_cast<float>(parameters.max_height - origin.z());
+  transform.columns = static_cast<float>(geometry.cells_x);
+  transform.rows = static_cast<float>(geometry.cells_y);
+  return transform;
+}
+
+/// Points that fall in one cell mostly come one after the other. Counting them in turns, here or there,
+/// spares each of them the wait for the last one's count to be written.
+constexpr std::size_t kTurns = 4;
+
+}  // namespace
+
+struct Projection::Workspace
+{
+  explicit Workspace(const ProjectionKernel& kernel) : scanner(kernel) {}
+
+  CellScanner scanner;
+  // The cells as the kernel numbers them: 0 takes what stands in none.
+  std::vector<std::uint8_t> marks;   // whether anything stands there
+  std::vector<std::uint8_t> counts;  // how much, kTurns numbers a cell, none beyond min_points_per_cell
+};
+
+Projection::Projection(const Parameters& parameters) : Projection(parameters, projectionKernels().back()) {}
+
+Projection::Projection(const Parameters& parameters, const ProjectionKernel& kernel)
+    : parameters_(parameters), workspace_(std::make_unique<Workspace>(kernel))
+{
+}
+
+Projection::Projection(Projection&& other) noexcept = default;
+Projection& Projection::operator=(Projection&& other) noexcept = default;
+Projection::~Projection() = default;
+
+void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+                         BinaryGrid& occupancy)
+{
+  workspace_->scanner.begin(points, cellTransform(to_floor_frame, occupancy.geometry(), parameters_));
+  if (parameters_.min_points_per_cell <= 1) {
+    markAny(points.height(), occupancy);
+  } else {
+    markMany(points.height(), occupancy);
+  }
+}
+
+void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
+{
+  const std::size_t cells = occupancy.geometry().size();
+  workspace_->marks.assign(1 + cells, 0);
+  std::uint8_t* const marks = workspace_->marks.data();
+  for (std::uint32_t v = 0; v < rows; ++v) {
+    for (const CellBlock& block : workspace_->scanner.row(v)) {
+// A load and a store for each point: counting the loop would double that.
+#pragma GCC unroll 8
+      for (const std::uint32_t cell : block.cell) marks[cell] = 1;
+    }
+  }
+  std::copy_n(marks + 1, cells, occupancy.row(0));
+}
+
+void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
+{
+  const std::size_t cells = occupancy.geometry().size();
+  workspace_->counts.assign(kTurns * (1 + cells), 0);
+  std::uint8_t* const counts = workspace_->counts.data();
+  const int enough = parameters_.min_points_per_cell;
+  for (std::uint32_t v = 0; v < rows; ++v) {
+    for (const CellBlock& block : workspace_->scanner.row(v)) {
+#pragma GCC unroll 8
+      for (std::size_t lane = 0; lane < kBlock; ++lane) {
+        std::uint8_t& count = counts[kTurns * block.cell[lane] + lane % kTurns];
+        count = static_cast<std::uint8_t>(count + (count < enough ? 1 : 0));
+      }
+    }
+  }
+  std::uint8_t* const occupied = occupancy.row(0);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    int sum = 0;
+    for (std::size_t turn = 0; turn < kTurns; ++turn) sum += counts[kTurns * (1 + cell) + turn];
+    occupied[cell] = sum >= enough ? 1 : 0;
+  }
+}
+
+void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+                         const GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing)
+{
+  standing.clear();
+  CellScanner& scanner = workspace_->scanner;
+  scanner.begin(points, cellTransform(to_floor_frame, geometry, parameters_));
+  const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
+  for (std::uint32_t v = 0; v < points.height(); ++v) {
+    for (const CellBlock& block : scanner.row(v)) {
+      for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
+        if (block.cell[lane] == 0) continue;
+        standing.emplace_back(transform * points.point(scanner.column(block, lane), v));
+      }
+    }
+  }
+}
+
+}  // namespace polygonal_perception::perception

@@ -1,0 +1,77 @@
+#include "ros/perception/diagnostics.hpp"
+
+namespace polygonal_perception::ros_perception {
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+constexpr double kLongSilence = 2.0;  // [s] without a frame that are an error
+constexpr double kDegree = 57.29577951308232;
+
+const char* textOf(perception::FloorStatus status)
+{
+  switch (status) {
+    case perception::FloorStatus::kFound:
+      return "FOUND";
+    case perception::FloorStatus::kHeld:
+      return "HELD";
+    case perception::FloorStatus::kNotFound:
+      break;
+  }
+  return "NOT_FOUND";
+}
+
+void summarize(const NodeState& state, const ros_common::FrameStatistics& statistics, double silence,
+               DiagnosticStatusWrapper& status)
+{
+  if (!state.subscription_error.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "cannot subscribe to " + state.subscription_error);
+  } else if (!state.active) {
+    status.summary(DiagnosticStatus::OK, "idle: nobody reads an output");
+  } else if (silence > kLongSilence) {
+    status.summaryf(DiagnosticStatus::ERROR, "no frame for %.1f s: waiting for %s%s", silence,
+                    state.awaited_topic.c_str(),
+                    state.awaited_is_published ? "" : ", which nobody publishes");
+  } else if (statistics.recentlyReceived() > 0 &&
+             statistics.recentlyRejected() >= statistics.recentlyReceived()) {
+    status.summary(DiagnosticStatus::ERROR, "every frame is rejected: " + statistics.lastRejection());
+  } else if (state.floor.status == perception::FloorStatus::kNotFound) {
+    status.summary(DiagnosticStatus::WARN, "no floor in view");
+  } else if (state.floor.status == perception::FloorStatus::kHeld) {
+    status.summaryf(DiagnosticStatus::OK, "floor held for %.2f s", state.floor.age);
+  } else {
+    status.summary(DiagnosticStatus::OK, "floor found");
+  }
+}
+
+}  // namespace
+
+void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& statistics,
+                     ros_common::FrameStatistics::Clock::time_point now, DiagnosticStatusWrapper& status)
+{
+  summarize(state, statistics, statistics.silence(now), status);
+  status.addf("Input rate [Hz]", "%.1f", statistics.rate(now));
+  status.add("Floor", textOf(state.floor.status));
+  if (state.floor.status != perception::FloorStatus::kNotFound) {
+    status.addf("Camera height [m]", "%.3f", state.floor.floor.plane.distance);
+    if (state.attitude) {
+      status.addf("Camera pitch [deg]", "%.2f", state.attitude->pitch * kDegree);
+      status.addf("Camera roll [deg]", "%.2f", state.attitude->roll * kDegree);
+    }
+    status.addf("Floor rms error [m]", "%.4f", state.floor.floor.rms_error);
+  }
+  status.add("Frames answered", statistics.answeredCount());
+  status.add("Frames rejected", statistics.rejectedCount());
+  status.add("Last rejection", statistics.lastRejection().empty() ? "none" : statistics.lastRejection());
+  status.add("Frames dropped", statistics.droppedCount());
+  for (int i = 0; i < ros_common::FrameStatistics::kStageCount; ++i) {
+    const auto stage = static_cast<ros_common::FrameStatistics::Stage>(i);
+    const std::string name = std::string("Time of ") + ros_common::FrameStatistics::stageName(stage);
+    status.addf(name + " mean [ms]", "%.3f", statistics.stage(stage).meanMs());
+    status.addf(name + " max [ms]", "%.3f", statistics.stage(stage).maxMs());
+  }
+}
+
+}  // namespace polygonal_perception::ros_perception

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <optional>
+#include <string>
+
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/ros/common/frame_statistics.hpp"
+#include "ros/perception/camera_attitude.hpp"
+
+namespace polygonal_perception::ros_perception {
+
+/// What the node is doing, as far as its diagnostics tell.
+struct NodeState
+{
+  bool active = false;             ///< subscribed to the camera
+  std::string subscription_error;  ///< why it could not subscribe, else empty
+  std::string awaited_topic;       ///< resolved name of the input that it cannot go on without
+  bool awaited_is_published = false;
+  perception::FloorState floor;
+  std::optional<CameraAttitude> attitude;  ///< where there is a floor and it is known where the camera looks
+};
+
+/// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to
+/// come or all are rejected.
+void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& statistics,
+                     ros_common::FrameStatistics::Clock::time_point now,
+                     diagnostic_updater::DiagnosticStatusWrapper& status);
+
+}  // namespace polygonal_perception::ros_perception

@@ -1,0 +1,183 @@
+#include "ros/perception/frame_processor.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "ros/perception/cloud_input.hpp"
+
+namespace polygonal_perception::ros_perception {
+
+namespace {
+
+/// A frame_id or an encoding may have megabytes, which would go into each report.
+std::string shortened(const std::string& text)
+{
+  constexpr std::size_t kLongest = 1000;
+  constexpr std::size_t kEnd = 300;  // has what is accepted
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, kLongest - kEnd) + " [" + std::to_string(text.size() - kLongest) +
+         " bytes left out] " + text.substr(text.size() - kEnd);
+}
+
+}  // namespace
+
+FrameProcessor::FrameProcessor(const NodeParameters& parameters, const std::string& info_topic,
+                               Outputs& outputs, ros_common::FrameStatistics& statistics,
+                               ros_common::ThrottledLog& log)
+    : parameters_(parameters),
+      outputs_(outputs),
+      statistics_(statistics),
+      log_(log),
+      pipeline_(parameters.pipeline),
+      depth_input_(info_topic)
+{
+  if (!parameters.up_frame.empty() || !parameters.output_frame.empty())
+    tf_ = std::make_unique<ros_common::TfBridge>();
+}
+
+bool FrameProcessor::process(const InputFrame& frame, bool may_wait)
+{
+  try {
+    return processUnguarded(frame, may_wait);
+  } catch (const std::exception& error) {
+    forgetFloor();
+    reject("exception", std::string("the frame made the node fail: ") + error.what());
+  } catch (...) {
+    forgetFloor();
+    reject("exception", "the frame made the node fail for an unknown reason");
+  }
+  return true;
+}
+
+bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
+{
+  const std_msgs::Header& header = frame.header();
+  if (frame.image && may_wait && depth_input_.awaitsCameraInfo(*frame.image)) return false;
+  const ros_common::Expected<perception::PointView> points =
+      frame.cloud ? viewCloud(*frame.cloud) : depth_input_.view(*frame.image);
+  if (!points) {
+    reject("input", (frame.cloud ? "cloud rejected: " : "depth image rejected: ") + points.error());
+    return true;
+  }
+  if (const std::string error = frameError(header.frame_id); !error.empty()) {
+    reject("input", error);
+    return true;
+  }
+  const Transforms transforms = lookUp(header);
+  if (may_wait && !transforms.missing().empty()) return false;
+
+  const Answer answer = makeAnswer(header, *points, transforms);
+  floor_ = answer.floor;
+  const auto start = ros_common::FrameStatistics::Clock::now();
+  // First, so that it is there when somebody places the rest by it.
+  broadcast(answer);
+  outputs_.publish(answer, pipeline_);
+  if (transforms.missing().empty()) {
+    statistics_.answered(pipeline_.result().times, ros_common::FrameStatistics::Clock::now() - start);
+  } else {
+    reject("tf", transforms.missing());
+  }
+  return true;
+}
+
+FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header) const
+{
+  Transforms transforms;
+  if (!parameters_.up_frame.empty() && pipeline_.tracker().needsSeed(header.stamp.toSec())) {
+    const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
+    if (up_to_input) transforms.up = up_to_input->linear().col(2);
+    transforms.missing_up = up_to_input.error();
+  }
+  if (!parameters_.output_frame.empty()) {
+    const auto input_to_output = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
+    if (input_to_output) transforms.input_to_output = *input_to_output;
+    transforms.missing_output = input_to_output.error();
+  }
+  return transforms;
+}
+
+Answer FrameProcessor::makeAnswer(const std_msgs::Header& header, const perception::PointView& points,
+                                  const Transforms& transforms)
+{
+  Answer answer{header, points, {}, {}, {}};
+  const bool has_place = transforms.missing_output.empty();
+  if (transforms.missing_up.empty()) {
+    answer.goal = has_place ? outputs_.goal() : perception::Pipeline::Goal::kFloor;
+    answer.floor = pipeline_.process({points, header.stamp.toSec(), transforms.up}, *answer.goal).floor;
+  } else {
+    // Without the seed that was asked for there is no floor: initial_up may be far off.
+    pipeline_.reset();
+  }
+  if (has_place) answer.place = placeOf(answer.floor, transforms.input_to_output);
+  return answer;
+}
+
+std::string FrameProcessor::frameError(const std::string& frame_id) const
+{
+  if (frame_id.empty()) return "header.frame_id is empty, accepted is the name of a tf frame";
+  if (frame_id.front() == '/') {
+    return "header.frame_id is '" + frame_id +
+           "', accepted is a name without a leading slash (tf2 knows none with one)";
+  }
+  if (frame_id == parameters_.floor_frame) {
+    return "header.frame_id is '" + frame_id + "', which is floor_frame; accepted is any other frame";
+  }
+  return {};
+}
+
+OutputPlace FrameProcessor::placeOf(const perception::FloorState& floor,
+                                    const std::optional<Eigen::Isometry3d>& input_to_output) const
+{
+  if (!input_to_output) return {parameters_.floor_frame, Eigen::Isometry2d::Identity()};
+  Eigen::Isometry3d input_to_floor = pipeline_.result().to_floor_frame;
+  if (floor.status == perception::FloorStatus::kNotFound) {
+    // The unknown grid lies where the floor would be if tf were right about the camera's attitude.
+    const auto forward =
+        perception::forwardAxis(pipeline_.samples(), parameters_.pipeline.tracker.initial_up);
+    const geometry::Plane level{input_to_output->linear().row(2).transpose(), 0.0};
+    input_to_floor = perception::floorFrame(level, forward.value_or(Eigen::Vector3d::UnitZ()));
+  }
+  return {parameters_.output_frame, ros_common::outputPose(*input_to_output, input_to_floor)};
+}
+
+void FrameProcessor::broadcast(const Answer& answer)
+{
+  if (!parameters_.publish_tf || answer.floor.status == perception::FloorStatus::kNotFound) return;
+  // tf2 complains of a transform that comes twice.
+  if (answer.input.stamp == last_broadcast_) return;
+  last_broadcast_ = answer.input.stamp;
+  broadcaster_.sendTransform(
+      ros_common::toTransform(answer.input, parameters_.floor_frame, pipeline_.result().to_floor_frame));
+}
+
+std::optional<CameraAttitude> FrameProcessor::attitude() const
+{
+  const Eigen::Vector3d& initial_up = parameters_.pipeline.tracker.initial_up;
+  const auto forward = perception::forwardAxis(pipeline_.samples(), initial_up);
+  if (floor_.status == perception::FloorStatus::kNotFound || !forward) return std::nullopt;
+  return cameraAttitude(floor_.floor.plane.normal, *forward, initial_up);
+}
+
+void FrameProcessor::forgetFloor()
+{
+  pipeline_.reset();
+  outputs_.reset();
+  floor_ = perception::FloorState{};
+}
+
+void FrameProcessor::forgetTime()
+{
+  forgetFloor();
+  if (tf_) tf_->clear();
+  last_broadcast_ = ros::Time();
+}
+
+void FrameProcessor::reject(const char* kind, const std::string& reason)
+{
+  const std::string text = shortened(reason);
+  statistics_.rejected(text);
+  log_.error(kind, text);
+}
+
+}  // namespace polygonal_perception::ros_perception

@@ -1,0 +1,107 @@
+#include "ros/perception/message_conversions.hpp"
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <cmath>
+
+namespace polygonal_perception::ros_perception {
+
+static_assert(static_cast<int>(perception::FloorStatus::kNotFound) == FloorPlane::NOT_FOUND &&
+                  static_cast<int>(perception::FloorStatus::kFound) == FloorPlane::FOUND &&
+                  static_cast<int>(perception::FloorStatus::kHeld) == FloorPlane::HELD,
+              "the status goes into the message as it is");
+
+FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::FloorState& floor,
+                           const std::vector<Eigen::Vector3f>& hull)
+{
+  auto message = boost::make_shared<FloorPlane>();
+  message->header = header;
+  message->status = static_cast<std::uint8_t>(floor.status);
+  if (floor.status == perception::FloorStatus::kNotFound) return message;
+
+  const geometry::Plane& plane = floor.floor.plane;
+  message->normal.x = plane.normal.x();
+  message->normal.y = plane.normal.y();
+  message->normal.z = plane.normal.z();
+  message->distance = plane.distance;
+  message->age = floor.age;
+  message->sample_count = floor.floor.sample_count;
+  message->rms_error = floor.floor.rms_error;
+  message->hull.resize(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    message->hull[i].x = hull[i].x();
+    message->hull[i].y = hull[i].y();
+    message->hull[i].z = hull[i].z();
+  }
+  return message;
+}
+
+pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& header,
+                                                   const perception::FloorState& floor)
+{
+  auto message = boost::make_shared<pcl_msgs::ModelCoefficients>();
+  message->header = header;
+  if (floor.status == perception::FloorStatus::kNotFound) return message;
+  const Eigen::Vector4f plane =
+      (Eigen::Vector4d() << floor.floor.plane.normal, floor.floor.plane.distance).finished().cast<float>();
+  message->values.assign(plane.data(), plane.data() + plane.size());
+  return message;
+}
+
+nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
+                                         const perception::GridGeometry& geometry,
+                                         const Eigen::Isometry2d& output_pose)
+{
+  constexpr std::int8_t kUnknown = -1;
+  auto message = boost::make_shared<nav_msgs::OccupancyGrid>();
+  message->header = header;
+  message->info.map_load_time = header.stamp;
+  message->info.resolution = static_cast<float>(geometry.resolution);
+  message->info.width = static_cast<std::uint32_t>(geometry.cells_x);
+  message->info.height = static_cast<std::uint32_t>(geometry.cells_y);
+  const Eigen::Vector2d origin = output_pose * Eigen::Vector2d(geometry.origin_x, geometry.origin_y);
+  message->info.origin.position.x = origin.x();
+  message->info.origin.position.y = origin.y();
+  const double yaw = Eigen::Rotation2Dd(output_pose.linear()).angle();
+  message->info.origin.orientation.z = std::sin(yaw / 2.0);
+  message->info.origin.orientation.w = std::cos(yaw / 2.0);
+  message->data.assign(geometry.size(), kUnknown);
+  return message;
+}
+
+nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const perception::BinaryGrid& grid,
+                                           const Eigen::Isometry2d& output_pose)
+{
+  static constexpr std::int8_t kFree = 0;  // static: GCC 10 would have the lambda capture them
+  static constexpr std::int8_t kOccupied = 100;
+  auto message = toUnknownGrid(header, grid.geometry(), output_pose);
+  std::transform(grid.cells().begin(), grid.cells().end(), message->data.begin(),
+                 [](std::uint8_t cell) { return cell != 0 ? kOccupied : kFree; });
+  return message;
+}
+
+PolygonArrayPtr toPolygonArray(const std_msgs::Header& header, const geometry::PolygonSet& polygons,
+                               const Eigen::Isometry2d& output_pose, perception::FloorStatus floor_status)
+{
+  auto message = boost::make_shared<PolygonArray>();
+  message->header = header;
+  message->floor_status = static_cast<std::uint8_t>(floor_status);
+  if (floor_status == perception::FloorStatus::kNotFound) return message;
+  for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
+    geometry_msgs::Polygon* polygon = nullptr;
+    if (ring.hole) {
+      polygon = &message->polygons.back().holes.emplace_back();
+    } else {
+      polygon = &message->polygons.emplace_back().boundary;
+    }
+    polygon->points.resize(ring.size);
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+      const Eigen::Vector2f vertex = (output_pose * polygons.vertices[ring.first + i]).cast<float>();
+      polygon->points[i].x = vertex.x();
+      polygon->points[i].y = vertex.y();
+    }
+  }
+  return message;
+}
+
+}  // namespace polygonal_perception::ros_perception

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <pcl_msgs/ModelCoefficients.h>
+#include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/PolygonArray.h>
+#include <std_msgs/Header.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "polygonal_perception/geometry/polygon_set.hpp"
+#include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/perception/grid/binary_grid.hpp"
+
+/// The results of a frame as messages. Every function makes a new message that nobody touches any more:
+/// readers in the same process share it.
+namespace polygonal_perception::ros_perception {
+
+/// @param header  stamp and frame of the input
+/// @param hull    convex hull of the floor samples, on the plane, in the input's frame
+FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::FloorState& floor,
+                           const std::vector<Eigen::Vector3f>& hull);
+
+/// a, b, c, d of the plane a x + b y + c z + d = 0; no values where there is no floor.
+pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& header,
+                                                   const perception::FloorState& floor);
+
+/// Occupied cells are 100, free ones 0.
+///
+/// @param header       stamp of the input, output frame
+/// @param output_pose  of the floor frame in the output frame
+nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const perception::BinaryGrid& grid,
+                                           const Eigen::Isometry2d& output_pose);
+
+/// The grid where there is no floor: every cell is unknown, -1.
+nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
+                                         const perception::GridGeometry& geometry,
+                                         const Eigen::Isometry2d& output_pose);
+
+/// @param header       stamp of the input, output frame
+/// @param output_pose  of the floor frame in the output frame
+PolygonArrayPtr toPolygonArray(const std_msgs::Header& header, const geometry::PolygonSet& polygons,
+                               const Eigen::Isometry2d& output_pose, perception::FloorStatus floor_status);
+
+}  // namespace polygonal_perception::ros_perception

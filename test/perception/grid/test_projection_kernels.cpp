@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "perception/grid/projection_kernel.hpp"
+#include "polygonal_perception/perception/grid/projection.hpp"
+#include "support/projection_scene.hpp"
+#include "support/random_frame.hpp"
+#include "support/reference_projection.hpp"
+
+namespace polygonal_perception::perception {
+
+void PrintTo(const ProjectionKernel& kernel, std::ostream* out)
+{
+  *out << kernel.name;
+}
+
+namespace {
+
+Eigen::Isometry3d randomTransform(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> number(-0.4, 0.4);
+  const auto turn = [&](const Eigen::Vector3d& axis) { return Eigen::AngleAxisd(number(random), axis); };
+  Eigen::Isometry3d transform = test::tiltedCamera(0.5 + number(random));
+  transform.rotate(turn(Eigen::Vector3d::UnitX()) * turn(Eigen::Vector3d::UnitY()));
+  transform.pretranslate(Eigen::Vector3d(number(random), number(random), 0.0));
+  return transform;
+}
+
+GridParameters randomGrid(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  GridParameters grid;
+  grid.grid_length = 1.0 + 5.0 * number(random);
+  grid.grid_width = 1.0 + 5.0 * number(random);
+  grid.grid_resolution = 0.02 + 0.2 * number(random);
+  return grid;
+}
+
+/// Each of the kernels that this processor can run.
+class EveryKernel : public testing::TestWithParam<ProjectionKernel>
+{
+};
+
+TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
+{
+  std::mt19937 random(20201024);
+  std::size_t occupied = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const test::RandomFrame frame(random);
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    const GridGeometry geometry(randomGrid(random));
+    Projection::Parameters parameters;
+    parameters.min_points_per_cell = std::uniform_int_distribution<>(1, 3)(random);
+
+    BinaryGrid grid(geometry);
+    Projection(parameters, GetParam()).project(frame.view(), to_floor, grid);
+    const BinaryGrid expected =
+        test::ReferenceProjection(parameters, to_floor, geometry).project(frame.view());
+    ASSERT_EQ(grid.cells(), expected.cells())
+        << "trial " << trial << ": " << grid.count() << " cells, expected " << expected.count();
+    occupied += grid.count();
+  }
+  EXPECT_GT(occupied, 30000U) << "too few cells to compare anything";
+}
+
+TEST_P(EveryKernel, CollectsThePointsThatStandInTheGrid)
+{
+  std::mt19937 random(7);
+  std::vector<Eigen::Vector3f> collected;
+  for (int trial = 0; trial < 300; ++trial) {
+    const test::RandomFrame frame(random);
+    const PointView view = frame.view();
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    const GridGeometry geometry(randomGrid(random));
+    const Projection::Parameters parameters;
+    Projection(parameters, GetParam()).collect(view, to_floor, geometry, collected);
+
+    const test::ReferenceProjection reference(parameters, to_floor, geometry);
+    std::vector<Eigen::Vector3f> expected;
+    for (std::uint32_t v = 0; v < view.height(); ++v) {
+      for (std::uint32_t u = 0; u < view.width(); ++u) {
+        if (reference.cell(view, u, v)) expected.emplace_back(to_floor.cast<float>() * view.point(u, v));
+      }
+    }
+    const auto before = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    };
+    std::sort(collected.begin(), collected.end(), before);
+    std::sort(expected.begin(), expected.end(), before);
+    ASSERT_EQ(collected, expected) << "trial " << trial;
+  }
+}
+
+TEST_P(EveryKernel, RoundsAsTheReferenceDoesWherePointsLieOnTheEdgesOfCells)
+{
+  std::mt19937 random(11);
+  const Projection::Parameters parameters;
+  const GridGeometry geometry{GridParameters{}};
+  const PinholeRays rays = PinholeRays::make(160, 120, 130.0, 130.0, 80.0, 60.0);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    std::vector<test::PackedPoint> cloud(rays.column_slope.size() * rays.row_slope.size());
+    std::vector<float> depth(cloud.size());
+    for (std::size_t k = 0; k < cloud.size(); ++k) {
+      const auto i = static_cast<double>(k % 100);
+      const auto j = static_cast<double>(k / 100 % 100);
+      const Eigen::Vector3d corner(i * geometry.resolution, geometry.origin_y + j * geometry.resolution,
+                                   k % 3 == 0 ? parameters.min_height : parameters.max_height);
+      const Eigen::Vector3f p = (to_floor.inverse() * corner).cast<float>();
+      cloud[k] = {p.x(), p.y(), p.z(), 0.0F};
+      const Eigen::Vector3d ray(rays.column_slope[k % 160], rays.row_slope[k / 160], 1.0);
+      const double edge = corner.x() - to_floor.translation().x();
+      depth[k] = static_cast<float>(edge / to_floor.linear().row(0).dot(ray));
+    }
+    const test::ReferenceProjection reference(parameters, to_floor, geometry);
+    for (const PointView& view :
+         {PointView::points(cloud.data(), 160, 120), PointView::depth(depth.data(), 640, rays)}) {
+      BinaryGrid grid(geometry);
+      Projection(parameters, GetParam()).project(view, to_floor, grid);
+      ASSERT_EQ(grid.cells(), reference.project(view).cells()) << "trial " << trial;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, EveryKernel, testing::ValuesIn(projectionKernels()),
+                         [](const testing::TestParamInfo<ProjectionKernel>& kernel) {
+                           std::string name = kernel.param.name;
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name;
+                         });
+
+TEST(ReferenceProjection, AgreesWithDoublePrecisionAwayFromTheEdges)
+{
+  constexpr double kRounding = 2e-6;  // [m]
+  std::mt19937 random(3);
+  const Projection::Parameters parameters;
+  const GridGeometry geometry{GridParameters{}};
+  int compared = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const test::RandomFrame frame(random);
+    const PointView view = frame.view();
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    const test::ReferenceProjection reference(parameters, to_floor, geometry);
+    for (std::uint32_t v = 0; v < view.height(); ++v) {
+      for (std::uint32_t u = 0; u < view.width(); ++u) {
+        const Eigen::Vector3d p = to_floor * view.point(u, v).cast<double>();
+        if (!p.allFinite() || p.norm() > 10.0) continue;
+        const double x = (p.x() - geometry.origin_x) / geometry.resolution;
+        const double y = (p.y() - geometry.origin_y) / geometry.resolution;
+        const double slack = kRounding / geometry.resolution;
+        if (std::abs(p.z() - parameters.min_height) < kRounding ||
+            std::abs(p.z() - parameters.max_height) < kRounding || std::abs(x - std::round(x)) < slack ||
+            std::abs(y - std::round(y)) < slack) {
+          continue;
+        }
+        const bool inside = p.z() >= parameters.min_height && p.z() <= parameters.max_height && x >= 0.0 &&
+                            x < geometry.cells_x && y >= 0.0 && y < geometry.cells_y;
+        const auto cell = reference.cell(view, u, v);
+        ASSERT_EQ(cell.has_value(), inside) << p.transpose();
+        if (cell) {
+          ASSERT_EQ(*cell, static_cast<std::size_t>(y) * 100 + static_cast<std::size_t>(x)) << p.transpose();
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 3000);
+}
+
+}  // namespace
+}  // namespace polygonal_perception::perception

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "polygonal_perception/perception/input/point_view.hpp"
+
+#ifdef POLYGONAL_PERCEPTION_HAS_PCL
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#endif
+
+namespace polygonal_perception::perception {
+namespace {
+
+TEST(PointView, FindsCoordinatesAtAnyOffsetAndStepAndAlignment)
+{
+  // Two rows of three points, 19 bytes apart, rows padded to 64 bytes; z, x, y from byte 5 on: nothing is
+  // aligned.
+  PointView::CloudStrides strides;
+  strides.point_step = 19;
+  strides.row_step = 64;
+  strides.z_offset = 5;
+  strides.x_offset = 9;
+  strides.y_offset = 13;
+  std::vector<std::uint8_t> memory(128, 0xFF);
+  for (std::uint32_t v = 0; v < 2; ++v) {
+    for (std::uint32_t u = 0; u < 3; ++u) {
+      const float xyz[] = {10.0F * v + u, 20.0F * v + u, 30.0F * v + u};
+      std::uint8_t* const point = memory.data() + 64 * v + 19 * u;
+      std::memcpy(point + 9, &xyz[0], 4);
+      std::memcpy(point + 13, &xyz[1], 4);
+      std::memcpy(point + 5, &xyz[2], 4);
+    }
+  }
+  const PointView view = PointView::cloud(memory.data(), 3, 2, strides);
+  EXPECT_EQ(view.size(), 6U);
+  EXPECT_EQ(view.point(0, 0), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(view.point(2, 1), Eigen::Vector3f(12, 22, 32));
+}
+
+class DepthView : public ::testing::Test
+{
+protected:
+  // Pixel (1, 0) is on the optical axis; the slopes of the others are multiples of 1/100.
+  PinholeRays rays_ = PinholeRays::make(3, 2, 100.0, 200.0, 1.0, 0.0);
+};
+
+TEST_F(DepthView, ReadsMillimetres)
+{
+  const std::uint16_t depth[] = {1000, 2000, 0, 500, 4000, 65535};
+  const PointView view = PointView::depth(depth, 6, rays_);
+  EXPECT_TRUE(view.point(0, 0).isApprox(Eigen::Vector3f(-0.01F, 0.0F, 1.0F), 1e-6F));
+  EXPECT_TRUE(view.point(1, 1).isApprox(Eigen::Vector3f(0.0F, 0.02F, 4.0F), 1e-6F))
+      << view.point(1, 1).transpose();
+  EXPECT_TRUE(view.point(2, 0).array().isNaN().all());
+}
+
+TEST_F(DepthView, ReadsMetresWithPaddedRows)
+{
+  const float nan = std::nanf("");
+  const float depth[] = {1.0F, nan, 0.0F, 99.0F, -1.0F, 2.0F, INFINITY, 99.0F};
+  const PointView view = PointView::depth(depth, 16, rays_);
+  EXPECT_TRUE(view.point(0, 0).isApprox(Eigen::Vector3f(-0.01F, 0.0F, 1.0F), 1e-6F));
+  EXPECT_TRUE(view.point(1, 1).isApprox(Eigen::Vector3f(0.0F, 0.01F, 2.0F), 1e-6F))
+      << view.point(1, 1).transpose();
+  for (const auto& [u, v] : {std::pair(1U, 0U), std::pair(2U, 0U), std::pair(0U, 1U)}) {
+    EXPECT_TRUE(view.point(u, v).array().isNaN().all()) << "at " << u << ", " << v;
+  }
+}
+
+#ifdef POLYGONAL_PERCEPTION_HAS_PCL
+
+template <class Point>
+void expectViewOf()
+{
+  pcl::PointCloud<Point> cloud(4, 3);
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    cloud.points[k].x = static_cast<float>(k);
+    cloud.points[k].y = 100.0F + static_cast<float>(k);
+    cloud.points[k].z = 200.0F + static_cast<float>(k);
+  }
+  const PointView view = PointView::points(cloud.points.data(), cloud.width, cloud.height);
+  EXPECT_EQ(view.point(0, 0), Eigen::Vector3f(0, 100, 200));
+  EXPECT_EQ(view.point(3, 2), Eigen::Vector3f(11, 111, 211));
+  EXPECT_EQ(static_cast<const void*>(view.row(0)), static_cast<const void*>(cloud.points.data())) << "copied";
+}
+
+TEST(PointView, OfAPclCloudIsTheCloudItself)
+{
+  expectViewOf<pcl::PointXYZ>();
+  expectViewOf<pcl::PointXYZRGB>();
+  expectViewOf<pcl::PointXYZRGBNormal>();
+}
+
+#endif
+
+}  // namespace
+}  // namespace polygonal_perception::perception
