@@ -16,8 +16,7 @@ void add(perception::Pipeline& pipeline, const perception::PointView& view, doub
   perception::Frame frame;
   frame.points = view;
   frame.stamp = stamp;
-  const perception::Pipeline::Result& result =
-      pipeline.process(frame, perception::Pipeline::Goal::kOccupancy);
+  const perception::Pipeline::Result& result = pipeline.process(frame, perception::Product::kOccupancy);
   if (result.floor.status != perception::FloorStatus::kNotFound) set.grids.push_back(result.occupancy);
 }
 

@@ -1,73 +1,113 @@
 #include "polygonal_perception/perception/pipeline.hpp"
 
+#include <chrono>
+
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "polygonal_perception/perception/floor/floor_hull.hpp"
 
 namespace polygonal_perception::perception {
 
-namespace {
-
-/// Runs a stage and says how long it took.
-template <class Stage>
-StageTimes::Duration timed(Stage&& stage)
-{
-  const auto start = std::chrono::steady_clock::now();
-  stage();
-  return std::chrono::duration_cast<StageTimes::Duration>(std::chrono::steady_clock::now() - start);
-}
-
-}  // namespace
-
 Pipeline::Pipeline(const Parameters& parameters)
     : parameters_(parameters),
-      samples_(parameters.samples),
       tracker_(parameters.tracker, parameters.detector),
       projection_(parameters.projection),
       drop_offs_(parameters.drop_offs),
       inflation_(parameters.inflation),
-      polygonizer_(parameters.polygonizer)
+      polygonizer_(parameters.polygonizer),
+      result_(parameters.samples)
 {
 }
 
-const Pipeline::Result& Pipeline::process(const Frame& frame, Goal goal)
+/// Runs a stage if its product is asked for, and says how long it took.
+template <class Stage>
+void Pipeline::run(Product product, StageTimes::Duration StageTimes::*time, Stage&& stage)
+{
+  if (!result_.products.has(product)) return;
+  const auto start = std::chrono::steady_clock::now();
+  stage();
+  result_.times.*time =
+      std::chrono::duration_cast<StageTimes::Duration>(std::chrono::steady_clock::now() - start);
+}
+
+const Pipeline::Result& Pipeline::process(const Frame& frame, Products products)
+{
+  using Times = StageTimes;
+  Result& r = result_;
+  clearResult(products);
+
+  // Section III-A; III-B to III-D
+  run(Product::kFloor, &Times::samples, [&] { r.samples.update(frame.points); });
+  run(Product::kFloor, &Times::floor, [&] { findFloor(frame); });
+  if (r.floor.status == FloorStatus::kNotFound) return r;
+
+  // Figure 3
+  run(Product::kFloorHull, &Times::floor_hull, [&] {
+    if (r.floor.status == FloorStatus::kFound)
+      r.floor_hull = floorHull(r.samples, r.labels, r.floor.floor.plane);
+  });
+
+  // Section IV: into the floor frame and onto the grid, grown by the robot's radius, as polygons
+  run(Product::kOccupancy, &Times::projection, [&] {
+    projection_.project(frame.points, r.to_floor_frame, r.occupancy);
+    drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy);
+  });
+  run(Product::kObstaclePoints, &Times::obstacle_points, [&] {
+    projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points);
+  });
+  run(Product::kInflation, &Times::inflation, [&] { inflation_.inflate(r.occupancy, r.inflated); });
+  run(Product::kPolygons, &Times::polygons, [&] {
+    polygonizer_.polygonize(r.occupancy, r.inflated, parameters_.inflation.robot_radius, r.polygons);
+  });
+  return r;
+}
+
+void Pipeline::clearResult(Products products)
 {
   const GridGeometry geometry(parameters_.grid);
+  result_.products = products;
   result_.times = StageTimes{};
+  result_.labels.clear();
   result_.occupancy.reset(geometry);
+  result_.obstacle_points.clear();
   result_.inflated.reset(geometry);
   result_.polygons.clear();
+}
 
-  result_.times.samples = timed([&] { samples_.update(frame.points); });
-  result_.times.floor =
-      timed([&] { result_.floor = tracker_.update(frame.points, samples_, frame.stamp, frame.up_from_tf); });
-  if (!forward_) forward_ = forwardAxis(samples_, parameters_.tracker.initial_up);
-  if (result_.floor.status == FloorStatus::kNotFound || !forward_) return result_;
-  result_.to_floor_frame = floorFrame(result_.floor.floor.plane, *forward_);
+void Pipeline::findFloor(const Frame& frame)
+{
+  result_.floor = tracker_.update(frame.points, result_.samples, frame.stamp, frame.up_from_tf);
+  if (result_.products.has(Product::kSampleLabels)) result_.labels = tracker_.detector().labels();
+  if (result_.floor.status != FloorStatus::kHeld) result_.floor_hull.clear();
+  findForward(frame);
+  if (result_.floor.status == FloorStatus::kNotFound) return;
+  result_.to_floor_frame = floorFrame(result_.floor.floor.plane, result_.forward);
+}
 
-  if (goal == Goal::kFloor) return result_;
-  result_.times.projection = timed([&] {
-    projection_.project(frame.points, result_.to_floor_frame, result_.occupancy);
-    drop_offs_.mark(frame.points, result_.to_floor_frame, result_.occupancy);
-  });
-  if (goal == Goal::kOccupancy) return result_;
-  result_.times.inflation = timed([&] { inflation_.inflate(result_.occupancy, result_.inflated); });
-  if (goal == Goal::kInflation) return result_;
-  result_.times.polygons = timed([&] {
-    polygonizer_.polygonize(result_.occupancy, result_.inflated, parameters_.inflation.robot_radius,
-                            result_.polygons);
-  });
-  return result_;
+void Pipeline::findForward(const Frame& frame)
+{
+  if (!forward_) {
+    const auto guess = forwardAxis(frame.points, result_.samples);
+    // A view without a floor may be that of a lens cap: it does not decide for the frames after it.
+    if (result_.floor.status != FloorStatus::kNotFound) forward_ = guess;
+    result_.forward = guess.value_or(Eigen::Vector3d::UnitZ());
+  } else {
+    result_.forward = *forward_;
+  }
 }
 
 void Pipeline::reset()
 {
   tracker_.reset();
   forward_.reset();
+  clearResult({});
+  result_.floor = FloorState{};
+  result_.floor_hull.clear();
 }
 
 void Pipeline::configure(const Parameters& parameters)
 {
   parameters_ = parameters;
-  samples_ = SampleGrid(parameters.samples);
+  result_.samples = SampleGrid(parameters.samples);
   tracker_.configure(parameters.tracker, parameters.detector);
   projection_ = Projection(parameters.projection);
   drop_offs_ = DropOffs(parameters.drop_offs);

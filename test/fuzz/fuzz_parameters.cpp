@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "byte_reader.hpp"
-#include "polygonal_perception/perception/parameter_check.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+#include "polygonal_perception/ros/common/reconfigure_messages.hpp"
 #include "result_check.hpp"
-#include "ros/common/reconfigure_messages.hpp"
 #include "support/plane_scene.hpp"
 
 namespace polygonal_perception::test {
@@ -72,8 +73,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   perception::Pipeline pipeline{parameters};
   const Eigen::Vector3d up(bytes.number<double>(), bytes.number<double>(), bytes.number<double>());
   if (bytes.byte() % 4 == 0) parameters.tracker.initial_up = up;
-  if (!ros_common::mergeConfig(anyConfig(bytes), parameters).empty()) return 0;
-  if (const auto fault = perception::findFault(parameters)) {
+  if (!ros_common::mergeConfig(anyConfig(bytes), ros_common::listParameters(parameters)).empty()) return 0;
+  if (const auto fault = parameters::findFault(parameters)) {
     require(!fault->reason.empty() && !fault->names.empty(), "what is refused has a reason");
     return 0;
   }

@@ -2,11 +2,13 @@
 
 #include <limits>
 
-#include "polygonal_perception/perception/parameter_check.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
 
 namespace polygonal_perception::perception {
 namespace {
 
+using parameters::findFault;
 using Names = std::vector<std::string>;
 
 TEST(ParameterCheck, DefaultsAreGood)

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "polygonal_perception/perception/pipeline.hpp"
 #include "support/box_scene.hpp"
@@ -24,11 +25,11 @@ protected:
     rays_ = scene_.rays();
   }
 
-  const Pipeline::Result& process(Pipeline::Goal goal = Pipeline::Goal::kPolygons)
+  const Pipeline::Result& process(Products products = Product::kPolygons)
   {
     stamp_ += 0.033;
     return pipeline_.process(
-        {PointView::depth(depth_.data(), scene_.width * sizeof(float), rays_), stamp_, {}}, goal);
+        {PointView::depth(depth_.data(), scene_.width * sizeof(float), rays_), stamp_, {}}, products);
   }
 
   test::BoxScene scene_;
@@ -60,7 +61,7 @@ TEST_F(PipelineTest, PutsAPolygonAroundABox)
 
 TEST_F(PipelineTest, MarksTheCellsThatTheBoxStandsIn)
 {
-  const BinaryGrid& grid = process(Pipeline::Goal::kOccupancy).occupancy;
+  const BinaryGrid& grid = process(Product::kOccupancy).occupancy;
   // Its front is at x = 1.5, where a cell begins, from y = 0.1 to 0.5: rows 52 to 59.
   for (int j = 52; j < 60; ++j) {
     EXPECT_FALSE(grid.occupied(28, j)) << "row " << j;
@@ -111,21 +112,52 @@ TEST_F(PipelineTest, AHeldFloorStillShowsObstacles)
 TEST_F(PipelineTest, GoesOnlyAsFarAsAsked)
 {
   process();
-  const Pipeline::Result& result = process(Pipeline::Goal::kFloor);
+  const Pipeline::Result& result = process(Product::kFloor);
   EXPECT_EQ(result.floor.status, FloorStatus::kFound);
   EXPECT_EQ(result.occupancy.count(), 0U);
   EXPECT_TRUE(result.polygons.rings.empty());
   EXPECT_EQ(result.times.projection.count(), 0);
-  EXPECT_EQ(process(Pipeline::Goal::kOccupancy).inflated.count(), 0U);
-  EXPECT_TRUE(process(Pipeline::Goal::kInflation).polygons.rings.empty());
+  EXPECT_EQ(process(Product::kOccupancy).inflated.count(), 0U);
+  EXPECT_TRUE(process(Product::kInflation).polygons.rings.empty());
 }
 
-TEST_F(PipelineTest, TakesEachStagesTime)
+TEST_F(PipelineTest, GivesTheProductsThatAreAskedFor)
 {
-  const StageTimes& times = process().times;
-  for (const auto time : {times.samples, times.floor, times.projection, times.inflation, times.polygons}) {
-    EXPECT_GT(time.count(), 0);
+  const Pipeline::Result& result = process({Product::kObstaclePoints, Product::kFloorHull});
+  EXPECT_EQ(result.labels.size(), result.samples.samples().size());
+  EXPECT_GE(result.floor_hull.size(), 3U);
+  ASSERT_FALSE(result.obstacle_points.empty());
+  for (const Eigen::Vector3f& point : result.obstacle_points) {
+    EXPECT_GT(point.z(), 0.029F) << point.transpose();
+    EXPECT_LT(point.z(), 0.601F) << point.transpose();
   }
+  EXPECT_EQ(result.occupancy.count(), 0U) << "nobody asked for the grid";
+  EXPECT_EQ(result.forward, Eigen::Vector3d::UnitZ());
+}
+
+TEST_F(PipelineTest, TakesTheTimeOfTheStagesThatRan)
+{
+  const auto ran = [](const StageTimes& times) {
+    std::string names;
+    StageTimes::describe(times, [&names](const char* name, auto time) {
+      if (time.count() > 0) names += std::string(name) + ' ';
+    });
+    return names;
+  };
+  EXPECT_EQ(ran(process(Product::kFloorHull).times), "samples floor floor hull ");
+  EXPECT_EQ(ran(process().times), "samples floor projection inflation polygons ");
+}
+
+TEST_F(PipelineTest, KnowsNothingAfterAReset)
+{
+  process({Product::kPolygons, Product::kFloorHull});
+  pipeline_.reset();
+  const Pipeline::Result& result = pipeline_.result();
+  EXPECT_TRUE(result.products.empty());
+  EXPECT_EQ(result.floor.status, FloorStatus::kNotFound);
+  EXPECT_TRUE(result.floor_hull.empty());
+  EXPECT_TRUE(result.polygons.rings.empty());
+  EXPECT_EQ(result.occupancy.geometry().cells_x, 100) << "where nothing is known";
 }
 
 TEST_F(PipelineTest, NewParametersHoldFromTheNextFrameOn)

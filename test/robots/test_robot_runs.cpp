@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
-#include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "reference/error_statistics.hpp"
+#include "ros/perception/floor_transforms.hpp"
 #include "shipped_config.hpp"
 #include "tracked_leg.hpp"
 
@@ -51,7 +51,7 @@ protected:
       ASSERT_EQ(result.floor.status, perception::FloorStatus::kFound);
       checkFloor(result.floor.floor.plane, frame);
       // As the node places them with output_frame odom, where odometry is right.
-      place_ = ros_common::outputPose(frame.camera_to_world, result.to_floor_frame);
+      place_ = ros_perception::poseInOutputFrame(frame.camera_to_world, result.to_floor_frame);
       placePolygons(result.polygons);
       checkObstacles(frame, pinhole, camera.scene());
       trackLegs(frame, pinhole);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "polygonal_perception/perception/stage_times.hpp"
 #include "ros/perception/diagnostics.hpp"
 
 namespace polygonal_perception::ros_perception {
@@ -31,7 +32,7 @@ protected:
 
   ros_common::FrameStatistics::Clock::time_point start_ = ros_common::FrameStatistics::Clock::now();
   NodeState state_;
-  ros_common::FrameStatistics statistics_;
+  ros_common::FrameStatistics statistics_ = ros_common::FrameStatistics::ofStages<perception::StageTimes>();
   std::map<std::string, std::string> values_;
 };
 

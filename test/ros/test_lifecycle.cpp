@@ -12,7 +12,7 @@
 
 #include "clouds.hpp"
 #include "polygonal_perception/PolygonArray.h"
-#include "ros/perception/polygonal_perception_ros.hpp"
+#include "polygonal_perception/ros/perception/perception_node.hpp"
 
 namespace polygonal_perception::test {
 namespace {
@@ -74,7 +74,7 @@ TEST(Lifecycle, EndsCleanlyWhileFramesReadersAndCallsArrive)
   const int lives = ros::param::param("~lives", kLives);
   for (int life = 0; life < lives; ++life) {
     private_handle.setParam("lazy", life % 2 == 0);
-    const ros_perception::PolygonalPerceptionRos perception(handle, private_handle);
+    const ros_perception::PerceptionNode perception(handle, private_handle);
     const int before = answers;
     if (life % 10 != 9) continue;
     // Every tenth life lasts until it has answered, the others end at once.

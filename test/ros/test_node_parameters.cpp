@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/perception/parameter_check.hpp"
-#include "ros/perception/node_parameters.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/ros/common/parameter_holder.hpp"
+#include "polygonal_perception/ros/perception/perception_node.hpp"
+#include "ros/perception/perception_parameters.hpp"
 
 namespace polygonal_perception::ros_perception {
 namespace {
@@ -20,7 +22,14 @@ using Texts = std::vector<std::string>;
 class NodeParametersTest : public testing::Test
 {
 protected:
-  NodeParameters read() { return readNodeParameters(handle_, errors_, warnings_); }
+  PerceptionParameters read()
+  {
+    ros_common::ParameterReport report;
+    const auto parameters = ros_common::readParameters<PerceptionParameters>(handle_, report);
+    errors_ = report.errors;
+    warnings_ = report.warnings;
+    return parameters;
+  }
 
   ros::NodeHandle handle_{std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name()};
   Texts errors_;
@@ -29,7 +38,7 @@ protected:
 
 TEST_F(NodeParametersTest, AreTheDefaultsWhereNothingIsSet)
 {
-  const NodeParameters parameters = read();
+  const PerceptionParameters parameters = read();
   EXPECT_TRUE(errors_.empty()) << errors_.front();
   EXPECT_TRUE(warnings_.empty()) << warnings_.front();
   EXPECT_EQ(parameters.input, "cloud");
@@ -48,7 +57,7 @@ TEST_F(NodeParametersTest, GoodValuesAreTaken)
   handle_.setParam("grid_length", 4);  // a whole number will do
   handle_.setParam("samples_x", 16);
   handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 1.0});
-  const NodeParameters parameters = read();
+  const PerceptionParameters parameters = read();
   EXPECT_TRUE(errors_.empty()) << errors_.front();
   EXPECT_EQ(parameters.input, "depth");
   EXPECT_EQ(parameters.output_frame, "odom");
@@ -69,7 +78,7 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   handle_.setParam("samples_x", 3.5);
   handle_.setParam("max_tilt", 3);
   handle_.setParam("replacement_factor", "many");
-  const NodeParameters parameters = read();
+  const PerceptionParameters parameters = read();
   const std::string stays = "; the default stays";
   EXPECT_EQ(errors_,
             (Texts{"parameter " + name + "/input is colour, accepted is cloud, depth" + stays,
@@ -85,7 +94,7 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   EXPECT_EQ(parameters.input, "cloud");
   EXPECT_EQ(parameters.floor_frame, "floor");
   EXPECT_EQ(parameters.pipeline.samples.samples_x, 32);
-  EXPECT_FALSE(perception::findFault(parameters.pipeline));
+  EXPECT_FALSE(polygonal_perception::parameters::findFault(parameters));
 }
 
 TEST_F(NodeParametersTest, ValuesThatContradictEachOtherFallBackTogether)
@@ -93,7 +102,7 @@ TEST_F(NodeParametersTest, ValuesThatContradictEachOtherFallBackTogether)
   handle_.setParam("min_height", 0.5);
   handle_.setParam("max_height", 0.4);
   handle_.setParam("robot_radius", 0.2);
-  const NodeParameters parameters = read();
+  const PerceptionParameters parameters = read();
   ASSERT_EQ(errors_.size(), 1U);
   EXPECT_EQ(errors_.front(),
             "parameters in " + handle_.getNamespace() +
@@ -119,10 +128,10 @@ TEST_F(NodeParametersTest, AreWrittenBack)
   perception::Pipeline::Parameters parameters;
   parameters.inflation.robot_radius = 0.45;
   parameters.samples.samples_y = 24;
-  writePipelineParameters(handle_, parameters);
+  ros_common::writeParameters(handle_, ros_common::listParameters(parameters));
   EXPECT_EQ(handle_.param("robot_radius", 0.0), 0.45);
   EXPECT_EQ(handle_.param("samples_y", 0), 24);
-  const NodeParameters read_back = read();
+  const PerceptionParameters read_back = read();
   EXPECT_EQ(read_back.pipeline.inflation.robot_radius, 0.45);
 }
 
@@ -133,11 +142,10 @@ TEST(ShippedConfigurations, AreTakenWhole)
     const ros::NodeHandle handle("/configurations/" + file.path().stem().string());
     ASSERT_EQ(std::system(("rosparam load " + file.path().string() + " " + handle.getNamespace()).c_str()),
               0);
-    Texts errors;
-    Texts warnings;
-    readNodeParameters(handle, errors, warnings);
-    EXPECT_TRUE(errors.empty()) << file.path() << ": " << errors.front();
-    EXPECT_TRUE(warnings.empty()) << file.path() << ": " << warnings.front();
+    ros_common::ParameterReport report;
+    ros_common::readParameters<PerceptionParameters>(handle, report);
+    EXPECT_TRUE(report.errors.empty()) << file.path() << ": " << report.errors.front();
+    EXPECT_TRUE(report.warnings.empty()) << file.path() << ": " << report.warnings.front();
     ++count;
   }
   EXPECT_GE(count, 4) << "in " << CONFIG_FOLDER;
@@ -145,7 +153,7 @@ TEST(ShippedConfigurations, AreTakenWhole)
 
 TEST(ParameterTable, HasARowAParameter)
 {
-  const std::string table = parameterTable();
+  const std::string table = PerceptionNode::parameterTable();
   EXPECT_NE(table.find("| `robot_radius` | double | 0.3 | 0 to 5 m | Radius"), std::string::npos) << table;
   EXPECT_NE(table.find("| `initial_up` | list | [0, -1, 0] | not zero |"), std::string::npos) << table;
   EXPECT_NE(table.find("| `output_frame` | string | (empty) | a frame or empty |"), std::string::npos)
@@ -161,7 +169,7 @@ TEST(ParameterTable, IsTheOneInTheReadme)
   const std::size_t to = text.find("<!-- parameters: end -->");
   ASSERT_NE(from, std::string::npos) << README;
   ASSERT_NE(to, std::string::npos) << README;
-  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), parameterTable())
+  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), PerceptionNode::parameterTable())
       << "put there what polygonal_perception_parameters prints";
 }
 

@@ -43,6 +43,7 @@ protected:
     if (!AllocationCounter::available()) GTEST_SKIP() << "a sanitizer counts allocations itself";
     // The broadcast of the floor frame is a message too, which tf2 makes.
     parameters_.publish_tf = false;
+    ros_perception::addOutputs(outputs_);
   }
 
   /// Allocations of the processor for the last of some frames.
@@ -61,10 +62,10 @@ protected:
   }
 
   ros::NodeHandle node_{"~"};
-  ros_perception::NodeParameters parameters_;
+  ros_perception::PerceptionParameters parameters_;
   sensor_msgs::PointCloud2Ptr cloud_ = boxCloud();
   ros_perception::Outputs outputs_{node_, [] {}};
-  ros_common::FrameStatistics statistics_;
+  ros_common::FrameStatistics statistics_ = ros_common::FrameStatistics::ofStages<perception::StageTimes>();
   ros_common::ThrottledLog log_{"test"};
 };
 

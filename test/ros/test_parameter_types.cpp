@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "ros/perception/node_parameters.hpp"
+#include "polygonal_perception/ros/common/parameter_holder.hpp"
+#include "ros/perception/perception_parameters.hpp"
 
 namespace polygonal_perception::ros_perception {
 namespace {
@@ -39,7 +40,8 @@ public:
       return number >= range.min && number <= range.max && (is_whole || !std::is_integral_v<T>);
     });
   }
-  void operator()(const char* name, std::string& value, const TextRule& rule, const char* /*help*/)
+  void operator()(const char* name, std::string& value, const parameters::TextRule& rule,
+                  const char* /*help*/)
   {
     add(name, value, [rule](XmlRpcValue& from) {
       return from.getType() == XmlRpcValue::TypeString && rule.accepts(static_cast<std::string>(from));
@@ -75,10 +77,10 @@ private:
   }
 };
 
-std::vector<Entry> entriesOf(NodeParameters parameters)
+std::vector<Entry> entriesOf(PerceptionParameters parameters)
 {
   Entries entries;
-  NodeParameters::describe(parameters, entries);
+  PerceptionParameters::describe(parameters, entries);
   return entries.entries;
 }
 
@@ -139,20 +141,21 @@ std::vector<XmlRpcValue> valuesOfAllTypes()
 class ParameterTypes : public testing::Test
 {
 protected:
-  NodeParameters read()
+  PerceptionParameters read()
   {
-    errors_.clear();
-    return readNodeParameters(handle_, errors_, warnings_);
+    ros_common::ParameterReport report;
+    const auto parameters = ros_common::readParameters<PerceptionParameters>(handle_, report);
+    errors_ = report.errors;
+    return parameters;
   }
 
   ros::NodeHandle handle_{std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name()};
   std::vector<std::string> errors_;
-  std::vector<std::string> warnings_;
 };
 
 TEST_F(ParameterTypes, EveryParameterRefusesWhatItCannotTakeAndKeepsItsDefault)
 {
-  const std::vector<Entry> defaults = entriesOf(NodeParameters{});
+  const std::vector<Entry> defaults = entriesOf(PerceptionParameters{});
   ASSERT_GT(defaults.size(), 25U);
   for (std::size_t k = 0; k < defaults.size(); ++k) {
     const std::string name = handle_.resolveName(defaults[k].name);

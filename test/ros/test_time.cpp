@@ -13,7 +13,7 @@
 #include "clouds.hpp"
 #include "polygonal_perception/FloorPlane.h"
 #include "polygonal_perception/PolygonArray.h"
-#include "ros/perception/polygonal_perception_ros.hpp"
+#include "polygonal_perception/ros/perception/perception_node.hpp"
 
 namespace polygonal_perception::test {
 namespace {
@@ -40,7 +40,7 @@ protected:
     transforms_ = handle_.subscribe("/tf", 100, &TimeTest::onTransform, this);
     floors_ = private_handle_.subscribe("floor", 100, &TimeTest::onFloor, this);
     polygons_ = private_handle_.subscribe("polygons", 100, &TimeTest::onPolygons, this);
-    node_ = std::make_unique<ros_perception::PolygonalPerceptionRos>(handle_, private_handle_);
+    node_ = std::make_unique<ros_perception::PerceptionNode>(handle_, private_handle_);
     waitFor("the connections", [this] {
       return clouds_.getNumSubscribers() > 0 && floors_.getNumPublishers() > 0 &&
              polygons_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0 &&
@@ -101,7 +101,7 @@ protected:
   std::vector<PolygonArray> polygon_answers_;
   std::vector<ros::Time> transform_stamps_;
   std::size_t reports_ = 0;
-  std::unique_ptr<ros_perception::PolygonalPerceptionRos> node_;
+  std::unique_ptr<ros_perception::PerceptionNode> node_;
 };
 
 TEST_F(TimeTest, WithoutAClockFramesAreAnsweredByTheirOwnStamps)
@@ -233,7 +233,7 @@ TEST_F(TimeTest, NoDiagnosticPeriodTakesTheNodeDown)
     // And at its start.
     const ros::NodeHandle other(handle_, "other");
     other.setParam("diagnostic_period", period);
-    EXPECT_NO_THROW(ros_perception::PolygonalPerceptionRos(handle_, other)) << period;
+    EXPECT_NO_THROW(ros_perception::PerceptionNode(handle_, other)) << period;
   }
 }
 

@@ -1,45 +1,44 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 namespace polygonal_perception::parameters {
+
+/// How a struct describes its parameters, once, for everybody who needs to know them.
+///
+/// A `Parameters` struct holds the defaults as member initialisers and has one static function template
+///
+///     template <class Self, class Visitor>
+///     static void describe(Self& self, Visitor&& visit);
+///
+/// that calls, for each member, one of
+///
+///     visit(name, self.number, Range{min, max}, unit, help);     int or double
+///     visit(name, self.text, TextRule{accepted, accepts}, help); std::string
+///     visit(name, self.flag, help);                              bool
+///     visit(name, self.direction, help);                         Eigen::Vector3d, any but the zero vector
+///
+/// Names are those of the ROS parameters, unique within a node. ROS nodes read, check and document their parameters
+/// through it, and let dynamic_reconfigure change the numbers, except for those whose range says atStart().
 
 /// The values that a numeric parameter may take, both ends included.
 struct Range
 {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
+  bool at_start = false;  ///< read when the node starts, and never changed after that
+
+  /// Written so that NaN is in no range.
+  constexpr bool contains(double number) const { return number >= min && number <= max; }
+  constexpr Range atStart() const { return {min, max, true}; }
 };
 
-/// How every stage describes its parameters, once, for everybody who needs to know them.
-///
-/// A stage's `Parameters` struct holds the defaults as member initialisers and has one static function
-/// template
-///
-///     template <class Self, class Visitor>
-///     static void describe(Self& self, Visitor&& visit);
-///
-/// that calls `visit(name, self.member, Range{min, max}, unit, help)` for each member. The ROS side reads,
-/// checks, reconfigures and documents parameters through it; names are unique across all stages.
-///
-/// This visitor remembers the first parameter that is out of its range.
-class RangeCheck
+/// What a text parameter may be.
+struct TextRule
 {
-public:
-  template <class T>
-  void operator()(const char* name, const T& value, const Range& range, const char* /*unit*/,
-                  const char* /*help*/)
-  {
-    const auto number = static_cast<double>(value);
-    // Written so that NaN fails.
-    if (!(number >= range.min && number <= range.max) && offender_ == nullptr) offender_ = name;
-  }
-
-  /// The name of the first parameter that is out of its range, or nullptr when all are good.
-  const char* offender() const { return offender_; }
-
-private:
-  const char* offender_ = nullptr;
+  const char* accepted;  ///< for messages and tables
+  bool (*accepts)(const std::string& text);
 };
 
 }  // namespace polygonal_perception::parameters

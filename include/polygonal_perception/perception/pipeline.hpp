@@ -1,12 +1,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <optional>
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/polygon_set.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/floor/sample_grid.hpp"
@@ -16,6 +16,8 @@
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/perception/products.hpp"
+#include "polygonal_perception/perception/stage_times.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -25,19 +27,6 @@ struct Frame
   PointView points;
   double stamp = 0.0;                         ///< [s]
   std::optional<Eigen::Vector3d> up_from_tf;  ///< in the input's frame
-};
-
-/// How long each stage of a frame took; a stage that was left out took nothing.
-struct StageTimes
-{
-  using Duration = std::chrono::nanoseconds;
-  Duration samples{0};
-  Duration floor{0};
-  Duration projection{0};
-  Duration inflation{0};
-  Duration polygons{0};
-
-  Duration total() const { return samples + floor + projection + inflation + polygons; }
 };
 
 /// The way of a frame, from points to polygons.
@@ -68,55 +57,67 @@ public:
       Inflation::Parameters::describe(self.inflation, visit);
       Polygonizer::Parameters::describe(self.polygonizer, visit);
     }
+
+    /// @return which parameters contradict one another though each is within its range, or nothing
+    POLYGONAL_PERCEPTION_EXPORT std::optional<parameters::ParameterFault> conflict() const;
   };
 
-  /// How far down the pipeline a frame is followed; what is not asked for costs nothing.
-  enum class Goal
-  {
-    kFloor,
-    kOccupancy,
-    kInflation,
-    kPolygons
-  };
-
-  /// What a frame gave. It lives in the pipeline until the next frame.
+  /// All that a frame gave. It lives in the pipeline until the next frame.
   struct Result
   {
+    explicit Result(const SampleGrid::Parameters& parameters) : samples(parameters) {}
+
+    Products
+        products;  ///< what was asked for, with all that it is made of; none: the frame was not looked at
     FloorState floor;
+    /// The camera's viewing direction in the input's frame, a unit axis; z as long as no point has told.
+    Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();
     /// From the input's frame into the floor frame; meaningful unless NOT_FOUND.
     Eigen::Isometry3d to_floor_frame = Eigen::Isometry3d::Identity();
+    SampleGrid samples;               ///< of the frame
+    std::vector<SampleLabel> labels;  ///< of each sample; empty where nobody asked
+    std::vector<Eigen::Vector3f>
+        floor_hull;        ///< [m] in the input's frame; a held floor's is the one it was found with
     BinaryGrid occupancy;  ///< free everywhere when NOT_FOUND or not asked for
+    std::vector<Eigen::Vector3f> obstacle_points;  ///< [m] in the floor frame
     BinaryGrid inflated;
-    geometry::PolygonSet polygons;
+    geometry::PolygonSet polygons;  ///< [m] in the floor frame
     StageTimes times;
   };
 
   explicit Pipeline(const Parameters& parameters);
 
+  /// @param products  what is wanted; nothing else is paid for
   /// @return the result, valid until the next call
-  const Result& process(const Frame& frame, Goal goal = Goal::kPolygons);
+  const Result& process(const Frame& frame, Products products = Product::kPolygons);
 
-  /// Forgets the floor and the camera's forward direction.
+  /// Forgets the floor and the camera's forward direction. The result is that of a frame that was not looked at.
   void reset();
 
   /// Takes on new parameters with the next frame and keeps the floor.
   void configure(const Parameters& parameters);
 
+  /// Whether a frame of that stamp [s] has no floor to start from, and so wants an up vector from tf if there is one.
+  bool needsSeed(double stamp) const { return tracker_.needsSeed(stamp); }
+
   const Parameters& parameters() const { return parameters_; }
   const Result& result() const { return result_; }
-  const SampleGrid& samples() const { return samples_; }
-  const FloorTracker& tracker() const { return tracker_; }
-  Projection& projection() { return projection_; }
 
 private:
+  void clearResult(Products products);
+  void findFloor(const Frame& frame);
+  void findForward(const Frame& frame);
+
+  template <class Stage>
+  void run(Product product, StageTimes::Duration StageTimes::*time, Stage&& stage);
+
   Parameters parameters_;
-  SampleGrid samples_;
   FloorTracker tracker_;
   Projection projection_;
   DropOffs drop_offs_;
   Inflation inflation_;
   Polygonizer polygonizer_;
-  std::optional<Eigen::Vector3d> forward_;
+  std::optional<Eigen::Vector3d> forward_;  // as it was when a floor was first found
   Result result_;
 };
 

@@ -9,6 +9,7 @@
 #include "cameras/simulation/correlated_field.hpp"
 #include "cameras/simulation/dropouts.hpp"
 #include "polygonal_perception/cameras/simulation/random.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
@@ -48,10 +49,7 @@ DepthNoise::Parameters DepthNoise::Parameters::none()
 DepthNoise::DepthNoise(const Parameters& parameters, std::uint64_t seed)
     : parameters_(parameters), seed_(seed)
 {
-  parameters::RangeCheck check;
-  Parameters::describe(parameters_, check);
-  if (check.offender() != nullptr)
-    throw std::invalid_argument(std::string(check.offender()) + " is out of its range");
+  if (const auto fault = parameters::findOutOfRange(parameters)) throw std::invalid_argument(fault->reason);
 }
 
 void DepthNoise::apply(const PinholeCamera& camera, const RayImage& image, std::uint32_t frame,

@@ -1,6 +1,9 @@
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace polygonal_perception::perception {
 
@@ -27,18 +30,28 @@ Eigen::Isometry3d floorFrame(const geometry::Plane& floor, const Eigen::Vector3d
   return to_floor;
 }
 
-std::optional<Eigen::Vector3d> forwardAxis(const SampleGrid& samples, const Eigen::Vector3d& up)
+std::optional<Eigen::Vector3d> forwardAxis(const PointView& points, const SampleGrid& samples)
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  // Garbage among the returns must not decide: so small a share of them counts for nothing.
+  constexpr double kGarbage = 0.005;
+  if (points.layout() != PointLayout::kCloud) return Eigen::Vector3d::UnitZ();
+
+  // Those of optical and body frames come first.
+  const std::array<Eigen::Vector3f, 6> axes = {Eigen::Vector3f::UnitZ(),  Eigen::Vector3f::UnitX(),
+                                               -Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(),
+                                               -Eigen::Vector3f::UnitY(), -Eigen::Vector3f::UnitZ()};
+  std::array<int, 6> ahead{};
+  int returns = 0;
   for (const Sample& sample : samples.samples()) {
-    if (sample.has_point) sum += sample.point.cast<double>().normalized();
+    if (!sample.has_point || sample.point.isZero()) continue;
+    ++returns;
+    for (std::size_t k = 0; k < axes.size(); ++k) ahead[k] += axes[k].dot(sample.point) > 0.0F ? 1 : 0;
   }
-  Eigen::Index vertical = 0;
-  up.cwiseAbs().maxCoeff(&vertical);
-  sum[vertical] = 0.0;
-  Eigen::Index axis = 0;
-  if (!(sum.cwiseAbs().maxCoeff(&axis) > 0.0)) return std::nullopt;
-  return Eigen::Vector3d(std::copysign(1.0, sum[axis]) * Eigen::Vector3d::Unit(axis));
+  if (returns == 0) return std::nullopt;
+  const double enough = *std::max_element(ahead.begin(), ahead.end()) - kGarbage * returns;
+  const auto first =
+      std::find_if(ahead.begin(), ahead.end(), [enough](int count) { return count >= enough; });
+  return axes[static_cast<std::size_t>(first - ahead.begin())].cast<double>();
 }
 
 }  // namespace polygonal_perception::perception

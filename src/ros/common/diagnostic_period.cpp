@@ -2,7 +2,7 @@
 
 #include <ros/console.h>
 
-#include "polygonal_perception/perception/parameter_check.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 
 namespace polygonal_perception::ros_common {
 
@@ -16,7 +16,7 @@ double ensureDiagnosticPeriod(const ros::NodeHandle& private_handle)
   // Written so that NaN fails.
   if (period >= kRange.min && period <= kRange.max) return period;
   ROS_ERROR_STREAM("parameter " << private_handle.resolveName(kName) << " is " << period << ", accepted is "
-                                << perception::rangeText(kRange, "s") << "; it becomes " << kDefault);
+                                << parameters::rangeText(kRange, "s") << "; it becomes " << kDefault);
   private_handle.setParam(kName, kDefault);
   return kDefault;
 }

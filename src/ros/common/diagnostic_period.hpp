@@ -2,8 +2,6 @@
 
 #include <ros/node_handle.h>
 
-#include "polygonal_perception/export.hpp"
-
 namespace polygonal_perception::ros_common {
 
 /// The time between two reports [s]. Replaces a `diagnostic_period` on the parameter server that is out of
@@ -11,6 +9,6 @@ namespace polygonal_perception::ros_common {
 ///
 /// diagnostic_updater reads the parameter itself, at its start and before each report, and throws when no
 /// ros::Duration can hold it. A nodelet's manager would not survive that.
-POLYGONAL_PERCEPTION_EXPORT double ensureDiagnosticPeriod(const ros::NodeHandle& private_handle);
+double ensureDiagnosticPeriod(const ros::NodeHandle& private_handle);
 
 }  // namespace polygonal_perception::ros_common

@@ -33,13 +33,6 @@ double DurationStatistics::maxMs() const
   return std::chrono::duration<double, std::milli>(max_).count();
 }
 
-const char* FrameStatistics::stageName(Stage stage)
-{
-  static constexpr std::array<const char*, kStageCount> kNames = {
-      "samples", "floor", "projection", "inflation", "polygons", "messages", "total"};
-  return kNames[stage];
-}
-
 void FrameStatistics::received(std::uint32_t sequence, Clock::time_point now)
 {
   ++recent_received_;
@@ -50,18 +43,6 @@ void FrameStatistics::received(std::uint32_t sequence, Clock::time_point now)
   if (sequence_counts_ && last_sequence_ && sequence > *last_sequence_)
     dropped_ += sequence - *last_sequence_ - 1;
   last_sequence_ = sequence;
-}
-
-void FrameStatistics::answered(const perception::StageTimes& times, DurationStatistics::Duration messages)
-{
-  ++answered_;
-  stages_[kSamples].add(times.samples);
-  stages_[kFloor].add(times.floor);
-  stages_[kProjection].add(times.projection);
-  stages_[kInflation].add(times.inflation);
-  stages_[kPolygons].add(times.polygons);
-  stages_[kMessages].add(messages);
-  stages_[kTotal].add(times.total() + messages);
 }
 
 void FrameStatistics::rejected(const std::string& reason)
@@ -93,7 +74,7 @@ void FrameStatistics::startReport(Clock::time_point now)
 {
   recent_received_ = 0;
   recent_rejected_ = 0;
-  stages_ = {};
+  for (auto& [name, stage] : stages_) stage = {};
   report_start_ = now;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "polygonal_perception/perception/parameter_check.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "ros/perception/image_size.hpp"
 
 namespace polygonal_perception::ros_perception {
@@ -116,9 +116,9 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
   }
   const Intrinsics k = intrinsicsOf(info);
   if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy) && seesAhead(k, image))) {
-    return "camera_info has fx, fy, cx, cy of " + perception::numberText(k.fx) + ", " +
-           perception::numberText(k.fy) + ", " + perception::numberText(k.cx) + ", " +
-           perception::numberText(k.cy) +
+    return "camera_info has fx, fy, cx, cy of " + parameters::numberText(k.fx) + ", " +
+           parameters::numberText(k.fy) + ", " + parameters::numberText(k.cx) + ", " +
+           parameters::numberText(k.cy) +
            "; accepted are finite ones, fx and fy positive, all pixels within 89 deg of the axis (is the "
            "camera calibrated?)";
   }

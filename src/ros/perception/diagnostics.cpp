@@ -62,16 +62,7 @@ void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& 
     }
     status.addf("Floor rms error [m]", "%.4f", state.floor.floor.rms_error);
   }
-  status.add("Frames answered", statistics.answeredCount());
-  status.add("Frames rejected", statistics.rejectedCount());
-  status.add("Last rejection", statistics.lastRejection().empty() ? "none" : statistics.lastRejection());
-  status.add("Frames dropped", statistics.droppedCount());
-  for (int i = 0; i < ros_common::FrameStatistics::kStageCount; ++i) {
-    const auto stage = static_cast<ros_common::FrameStatistics::Stage>(i);
-    const std::string name = std::string("Time of ") + ros_common::FrameStatistics::stageName(stage);
-    status.addf(name + " mean [ms]", "%.3f", statistics.stage(stage).meanMs());
-    status.addf(name + " max [ms]", "%.3f", statistics.stage(stage).maxMs());
-  }
+  ros_common::addStatistics(statistics, status);
 }
 
 }  // namespace polygonal_perception::ros_perception

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
 #include "ros/perception/camera_attitude.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "ros/perception/cloud_input.hpp"
+#include "ros/perception/floor_transforms.hpp"
 
 namespace polygonal_perception::ros_perception {
 
@@ -22,8 +23,8 @@ std::string shortened(const std::string& text)
 
 }  // namespace
 
-FrameProcessor::FrameProcessor(const NodeParameters& parameters, const std::string& info_topic,
-                               Outputs& outputs, ros_common::FrameStatistics& statistics,
+FrameProcessor::FrameProcessor(const PerceptionParameters& parameters, const std::string& info_topic,
+                               const Outputs& outputs, ros_common::FrameStatistics& statistics,
                                ros_common::ThrottledLog& log)
     : parameters_(parameters),
       outputs_(outputs),
@@ -32,7 +33,7 @@ FrameProcessor::FrameProcessor(const NodeParameters& parameters, const std::stri
       pipeline_(parameters.pipeline),
       depth_input_(info_topic)
 {
-  if (!parameters.up_frame.empty() || !parameters.output_frame.empty())
+  if (!parameters.up_frame.empty() || parameters.hasOutputFrame())
     tf_ = std::make_unique<ros_common::TfBridge>();
 }
 
@@ -41,10 +42,10 @@ bool FrameProcessor::process(const InputFrame& frame, bool may_wait)
   try {
     return processUnguarded(frame, may_wait);
   } catch (const std::exception& error) {
-    forgetFloor();
+    resetFloor();
     reject("exception", std::string("the frame made the node fail: ") + error.what());
   } catch (...) {
-    forgetFloor();
+    resetFloor();
     reject("exception", "the frame made the node fail for an unknown reason");
   }
   return true;
@@ -67,12 +68,13 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   const Transforms transforms = lookUp(header);
   if (may_wait && !transforms.missing().empty()) return false;
 
-  const Answer answer = makeAnswer(header, *points, transforms);
-  floor_ = answer.floor;
+  runPipeline(header, *points, transforms);
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
-  broadcast(answer);
-  outputs_.publish(answer, pipeline_);
+  broadcast(header);
+  FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters().inflation.robot_radius, {}};
+  if (transforms.missing_output.empty()) result.output = outputPose(transforms.input_to_output);
+  outputs_.publish(result);
   if (transforms.missing().empty()) {
     statistics_.answered(pipeline_.result().times, ros_common::FrameStatistics::Clock::now() - start);
   } else {
@@ -84,12 +86,12 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
 FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header) const
 {
   Transforms transforms;
-  if (!parameters_.up_frame.empty() && pipeline_.tracker().needsSeed(header.stamp.toSec())) {
+  if (!parameters_.up_frame.empty() && pipeline_.needsSeed(header.stamp.toSec())) {
     const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
     if (up_to_input) transforms.up = up_to_input->linear().col(2);
     transforms.missing_up = up_to_input.error();
   }
-  if (!parameters_.output_frame.empty()) {
+  if (parameters_.hasOutputFrame()) {
     const auto input_to_output = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
     if (input_to_output) transforms.input_to_output = *input_to_output;
     transforms.missing_output = input_to_output.error();
@@ -97,20 +99,22 @@ FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header
   return transforms;
 }
 
-Answer FrameProcessor::makeAnswer(const std_msgs::Header& header, const perception::PointView& points,
-                                  const Transforms& transforms)
+perception::Products FrameProcessor::neededProducts(const Transforms& transforms) const
 {
-  Answer answer{header, points, {}, {}, {}};
-  const bool has_place = transforms.missing_output.empty();
+  // tf to the floor frame, and the diagnostics, want a floor in any case.
+  const perception::Products needs = outputs_.needs() | perception::Product::kFloor;
+  return transforms.missing_output.empty() ? needs : needs & kInputFrameProducts;
+}
+
+void FrameProcessor::runPipeline(const std_msgs::Header& header, const perception::PointView& points,
+                                 const Transforms& transforms)
+{
   if (transforms.missing_up.empty()) {
-    answer.goal = has_place ? outputs_.goal() : perception::Pipeline::Goal::kFloor;
-    answer.floor = pipeline_.process({points, header.stamp.toSec(), transforms.up}, *answer.goal).floor;
+    pipeline_.process({points, header.stamp.toSec(), transforms.up}, neededProducts(transforms));
   } else {
     // Without the seed that was asked for there is no floor: initial_up may be far off.
     pipeline_.reset();
   }
-  if (has_place) answer.place = placeOf(answer.floor, transforms.input_to_output);
-  return answer;
 }
 
 std::string FrameProcessor::frameError(const std::string& frame_id) const
@@ -126,49 +130,40 @@ std::string FrameProcessor::frameError(const std::string& frame_id) const
   return {};
 }
 
-OutputPlace FrameProcessor::placeOf(const perception::FloorState& floor,
-                                    const std::optional<Eigen::Isometry3d>& input_to_output) const
+OutputPose FrameProcessor::outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const
 {
   if (!input_to_output) return {parameters_.floor_frame, Eigen::Isometry2d::Identity()};
-  Eigen::Isometry3d input_to_floor = pipeline_.result().to_floor_frame;
-  if (floor.status == perception::FloorStatus::kNotFound) {
+  const perception::Pipeline::Result& result = pipeline_.result();
+  Eigen::Isometry3d input_to_floor = result.to_floor_frame;
+  if (result.floor.status == perception::FloorStatus::kNotFound) {
     // The unknown grid lies where the floor would be if tf were right about the camera's attitude.
-    const auto forward =
-        perception::forwardAxis(pipeline_.samples(), parameters_.pipeline.tracker.initial_up);
     const geometry::Plane level{input_to_output->linear().row(2).transpose(), 0.0};
-    input_to_floor = perception::floorFrame(level, forward.value_or(Eigen::Vector3d::UnitZ()));
+    input_to_floor = perception::floorFrame(level, result.forward);
   }
-  return {parameters_.output_frame, ros_common::outputPose(*input_to_output, input_to_floor)};
+  return {parameters_.output_frame, poseInOutputFrame(*input_to_output, input_to_floor)};
 }
 
-void FrameProcessor::broadcast(const Answer& answer)
+void FrameProcessor::broadcast(const std_msgs::Header& header)
 {
-  if (!parameters_.publish_tf || answer.floor.status == perception::FloorStatus::kNotFound) return;
+  const perception::Pipeline::Result& result = pipeline_.result();
+  if (!parameters_.publish_tf || result.floor.status == perception::FloorStatus::kNotFound) return;
   // tf2 complains of a transform that comes twice.
-  if (answer.input.stamp == last_broadcast_) return;
-  last_broadcast_ = answer.input.stamp;
-  broadcaster_.sendTransform(
-      ros_common::toTransform(answer.input, parameters_.floor_frame, pipeline_.result().to_floor_frame));
+  if (header.stamp == last_broadcast_) return;
+  last_broadcast_ = header.stamp;
+  broadcaster_.sendTransform(toTransform(header, parameters_.floor_frame, result.to_floor_frame));
 }
 
 std::optional<CameraAttitude> FrameProcessor::attitude() const
 {
-  const Eigen::Vector3d& initial_up = parameters_.pipeline.tracker.initial_up;
-  const auto forward = perception::forwardAxis(pipeline_.samples(), initial_up);
-  if (floor_.status == perception::FloorStatus::kNotFound || !forward) return std::nullopt;
-  return cameraAttitude(floor_.floor.plane.normal, *forward, initial_up);
+  const perception::Pipeline::Result& result = pipeline_.result();
+  if (result.floor.status == perception::FloorStatus::kNotFound) return std::nullopt;
+  return cameraAttitude(result.floor.floor.plane.normal, result.forward,
+                        parameters_.pipeline.tracker.initial_up);
 }
 
-void FrameProcessor::forgetFloor()
+void FrameProcessor::resetTime()
 {
-  pipeline_.reset();
-  outputs_.reset();
-  floor_ = perception::FloorState{};
-}
-
-void FrameProcessor::forgetTime()
-{
-  forgetFloor();
+  resetFloor();
   if (tf_) tf_->clear();
   last_broadcast_ = ros::Time();
 }

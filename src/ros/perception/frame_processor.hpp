@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -10,25 +11,34 @@
 
 #include "polygonal_perception/perception/pipeline.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
+#include "polygonal_perception/ros/common/parameter_holder.hpp"
 #include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "polygonal_perception/ros/common/throttled_log.hpp"
 #include "ros/perception/camera_attitude.hpp"
 #include "ros/perception/depth_input.hpp"
-#include "ros/perception/input_frame.hpp"
-#include "ros/perception/node_parameters.hpp"
 #include "ros/perception/outputs.hpp"
+#include "ros/perception/perception_parameters.hpp"
 
 namespace polygonal_perception::ros_perception {
 
-/// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the
-/// result.
+/// A frame in the memory of its publisher: one of the two is set.
+struct InputFrame
+{
+  sensor_msgs::PointCloud2ConstPtr cloud;
+  sensor_msgs::ImageConstPtr image;
+
+  const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
+};
+
+/// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the result.
 class FrameProcessor
 {
 public:
   /// @param info_topic  where camera_info comes from, for errors
-  /// @param outputs, statistics, log  must outlive it
-  FrameProcessor(const NodeParameters& parameters, const std::string& info_topic, Outputs& outputs,
-                 ros_common::FrameStatistics& statistics, ros_common::ThrottledLog& log);
+  /// @param parameters, outputs, statistics, log  must outlive it
+  FrameProcessor(const PerceptionParameters& parameters, const std::string& info_topic,
+                 const Outputs& outputs, ros_common::FrameStatistics& statistics,
+                 ros_common::ThrottledLog& log);
 
   void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info) { depth_input_.setCameraInfo(info); }
 
@@ -41,13 +51,13 @@ public:
   void configure(const perception::Pipeline::Parameters& parameters) { pipeline_.configure(parameters); }
 
   /// Forgets the floor.
-  void forgetFloor();
+  void resetFloor() { pipeline_.reset(); }
   /// Forgets all that has a time: the floor and the transforms.
-  void forgetTime();
+  void resetTime();
 
   /// As it was answered last.
-  const perception::FloorState& floor() const { return floor_; }
-  /// Of the camera above that floor; nothing where one of the two is unknown.
+  const perception::FloorState& floor() const { return pipeline_.result().floor; }
+  /// Of the camera above that floor; nothing where there is none.
   std::optional<CameraAttitude> attitude() const;
 
 private:
@@ -63,17 +73,17 @@ private:
   };
 
   bool processUnguarded(const InputFrame& frame, bool may_wait);
-  Transforms lookUp(const std_msgs::Header& header) const;
-  Answer makeAnswer(const std_msgs::Header& header, const perception::PointView& points,
-                    const Transforms& transforms);
   std::string frameError(const std::string& frame_id) const;
-  void broadcast(const Answer& answer);
-  OutputPlace placeOf(const perception::FloorState& floor,
-                      const std::optional<Eigen::Isometry3d>& input_to_output) const;
+  Transforms lookUp(const std_msgs::Header& header) const;
+  perception::Products neededProducts(const Transforms& transforms) const;
+  void runPipeline(const std_msgs::Header& header, const perception::PointView& points,
+                   const Transforms& transforms);
+  OutputPose outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const;
+  void broadcast(const std_msgs::Header& header);
   void reject(const char* kind, const std::string& reason);
 
-  const NodeParameters parameters_;
-  Outputs& outputs_;
+  const PerceptionParameters& parameters_;
+  const Outputs& outputs_;
   ros_common::FrameStatistics& statistics_;
   ros_common::ThrottledLog& log_;
   perception::Pipeline pipeline_;
@@ -81,7 +91,6 @@ private:
   std::unique_ptr<ros_common::TfBridge> tf_;  // only where a parameter names a frame
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_broadcast_;
-  perception::FloorState floor_;
 };
 
 }  // namespace polygonal_perception::ros_perception

@@ -1,11 +1,8 @@
-#include <ros/ros.h>
-
-#include "ros/perception/polygonal_perception_ros.hpp"
+#include "polygonal_perception/ros/common/nodelet_of.hpp"
+#include "polygonal_perception/ros/perception/perception_node.hpp"
 
 int main(int argc, char** argv)
 {
-  ros::init(argc, argv, "polygonal_perception");
-  const polygonal_perception::ros_perception::PolygonalPerceptionRos perception(ros::NodeHandle(),
-                                                                                ros::NodeHandle("~"));
-  ros::spin();
+  using namespace polygonal_perception;
+  return ros_common::runNode<ros_perception::PerceptionNode>(argc, argv, "polygonal_perception");
 }

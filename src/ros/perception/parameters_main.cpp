@@ -1,9 +1,8 @@
-// Prints the node's parameters as a Markdown table.
 #include <iostream>
 
-#include "ros/perception/node_parameters.hpp"
+#include "polygonal_perception/ros/perception/perception_node.hpp"
 
 int main()
 {
-  std::cout << polygonal_perception::ros_perception::parameterTable();
+  std::cout << polygonal_perception::ros_perception::PerceptionNode::parameterTable();
 }

@@ -6,6 +6,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
 #include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -24,13 +25,13 @@ namespace polygonal_perception::perception {
 POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d floorFrame(const geometry::Plane& floor,
                                                          const Eigen::Vector3d& forward);
 
-/// The camera's forward direction in the input's frame: of the frame's six axis directions, those along `up`
-/// left out, the one that the samples lie along. It is z for an optical frame and x for a body frame, and
-/// nobody has to say which.
+/// The camera's forward direction in the input's frame: z for a depth image, whose frame is an optical one. For a cloud
+/// the frame's axis along which its returns lie, for a camera looks at nothing that is behind it: z in an optical frame
+/// (REP 103), x in a body frame, and nobody has to say which. Where returns lie along both, as in a wide view with
+/// returns on one side only, it is z: seen in a body frame, the floor lies below, not along z.
 ///
-/// @param up  the initial up vector in the input's frame, any length
 /// @return a unit axis, or nothing where no sample has a point
-POLYGONAL_PERCEPTION_EXPORT std::optional<Eigen::Vector3d> forwardAxis(const SampleGrid& samples,
-                                                                       const Eigen::Vector3d& up);
+POLYGONAL_PERCEPTION_EXPORT std::optional<Eigen::Vector3d> forwardAxis(const PointView& points,
+                                                                       const SampleGrid& samples);
 
 }  // namespace polygonal_perception::perception

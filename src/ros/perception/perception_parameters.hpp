@@ -1,29 +1,29 @@
 #pragma once
 
-#include <ros/node_handle.h>
-
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "polygonal_perception/export.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/pipeline.hpp"
 
 namespace polygonal_perception::ros_perception {
 
-/// What a text parameter may be.
-struct TextRule
+inline bool isInputKind(const std::string& text)
 {
-  const char* accepted;
-  bool (*accepts)(const std::string& text);
-};
-
-bool isInputKind(const std::string& text);
-bool isFrame(const std::string& text);
-bool isFrameOrEmpty(const std::string& text);
+  return text == "cloud" || text == "depth";
+}
+inline bool isFrame(const std::string& text)
+{
+  return !text.empty() && text.front() != '/';
+}
+inline bool isFrameOrEmpty(const std::string& text)
+{
+  return text.empty() || isFrame(text);
+}
 
 /// Every parameter of the node: those that only the ROS side knows, and the pipeline's.
-struct NodeParameters
+struct PerceptionParameters
 {
   std::string input = "cloud";
   std::string floor_frame = "floor";
@@ -34,12 +34,11 @@ struct NodeParameters
   double tf_timeout = 0.1;  ///< [s]
   perception::Pipeline::Parameters pipeline;
 
-  /// Visits the parameters that only the ROS side knows, as parameter_table.hpp says, and those of the
-  /// pipeline that are no numbers. Texts come with a TextRule in the place of the range, booleans and vectors
-  /// with neither range nor unit.
   template <class Self, class Visitor>
-  static void describeFixed(Self& self, Visitor&& visit)
+  static void describe(Self& self, Visitor&& visit)
   {
+    using parameters::Range;
+    using parameters::TextRule;
     visit("input", self.input, TextRule{"cloud, depth", isInputKind},
           "What the camera's driver sends: a PointCloud2 or a depth image.");
     visit("floor_frame", self.floor_frame, TextRule{"a frame", isFrame},
@@ -56,34 +55,15 @@ struct NodeParameters
           "initial_up.");
     visit("up_feedback", self.pipeline.tracker.up_feedback,
           "The floor's normal is the next frame's up vector; false: up_frame or initial_up in every frame.");
-    visit("tf_timeout", self.tf_timeout, parameters::Range{0.0, 1.0}, "s",
+    visit("tf_timeout", self.tf_timeout, Range{0.0, 1.0}.atStart(), "s",
           "How long a frame waits for its transforms and its camera_info; others are not held up.");
-  }
-
-  /// All of them, the numbers of the pipeline's stages last.
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor&& visit)
-  {
-    describeFixed(self, visit);
     perception::Pipeline::Parameters::describe(self.pipeline, visit);
   }
+
+  std::optional<parameters::ParameterFault> conflict() const { return pipeline.conflict(); }
+
+  /// Whether grids and polygons lie in another frame than the floor's own.
+  bool hasOutputFrame() const { return !output_frame.empty() && output_frame != floor_frame; }
 };
-
-/// Reads the parameters from the node's private namespace.
-///
-/// @param errors    a text a parameter that is refused, with its name, its value and what is accepted; its
-/// default stays
-/// @param warnings  names in the namespace that are no parameter of this node: slips of the pen
-NodeParameters readNodeParameters(const ros::NodeHandle& private_handle, std::vector<std::string>& errors,
-                                  std::vector<std::string>& warnings);
-
-/// Writes the numbers of the pipeline's stages to the parameter server, so that `rosparam get` shows what is
-/// in force.
-void writePipelineParameters(const ros::NodeHandle& private_handle,
-                             const perception::Pipeline::Parameters& parameters);
-
-/// The table of all parameters in Markdown: name, default, range, unit, meaning. The README's must be this
-/// one.
-POLYGONAL_PERCEPTION_EXPORT std::string parameterTable();
 
 }  // namespace polygonal_perception::ros_perception

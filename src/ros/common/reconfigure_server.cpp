@@ -1,24 +1,25 @@
-#include "ros/perception/reconfigure_server.hpp"
+#include "polygonal_perception/ros/common/reconfigure_server.hpp"
 
 #include <ros/console.h>
 
-#include "polygonal_perception/perception/parameter_check.hpp"
-#include "ros/common/reconfigure_messages.hpp"
-#include "ros/perception/node_parameters.hpp"
+#include <utility>
 
-namespace polygonal_perception::ros_perception {
+#include "polygonal_perception/ros/common/parameter_reader.hpp"
+#include "polygonal_perception/ros/common/reconfigure_messages.hpp"
 
-ReconfigureServer::ReconfigureServer(const ros::NodeHandle& private_handle,
-                                     const perception::Pipeline::Parameters& initial, Apply apply)
-    : handle_(private_handle), current_(initial), apply_(std::move(apply))
+namespace polygonal_perception::ros_common {
+
+ReconfigureServer::ReconfigureServer(const ros::NodeHandle& private_handle, const ParameterList& defaults,
+                                     ParameterList in_force, Change change)
+    : handle_(private_handle), in_force_(std::move(in_force)), change_(std::move(change))
 {
   constexpr bool kLatch = true;
-  writePipelineParameters(handle_, current_);
+  writeParameters(handle_, in_force_);
   descriptions_ =
       handle_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, kLatch);
   updates_ = handle_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, kLatch);
-  descriptions_.publish(ros_common::describeConfig());
-  updates_.publish(ros_common::toConfig(current_));
+  descriptions_.publish(describeConfig(defaults));
+  updates_.publish(toConfig(in_force_));
   using dynamic_reconfigure::Reconfigure;
   const boost::function<bool(Reconfigure::Request&, Reconfigure::Response&)> set =
       [this, gate = gate_](Reconfigure::Request& request, Reconfigure::Response& response) {
@@ -45,22 +46,16 @@ void ReconfigureServer::shutdown()
 void ReconfigureServer::onSet(const dynamic_reconfigure::Config& request,
                               dynamic_reconfigure::Config& response)
 {
-  perception::Pipeline::Parameters wanted = current_;
-  std::string error = ros_common::mergeConfig(request, wanted);
+  const std::string error = change_(request);
   if (error.empty()) {
-    if (const auto fault = perception::findFault(wanted)) error = fault->reason;
-  }
-  if (error.empty()) {
-    apply_(wanted);
-    current_ = wanted;
-    writePipelineParameters(handle_, current_);
+    writeParameters(handle_, in_force_);
   } else {
     ROS_ERROR_STREAM("[" << handle_.getNamespace() << "] set of parameters refused: " << error
                          << "; the old set stays");
   }
   // Also after a refusal, so that the client shows what is in force.
-  response = ros_common::toConfig(current_);
+  response = toConfig(in_force_);
   updates_.publish(response);
 }
 
-}  // namespace polygonal_perception::ros_perception
+}  // namespace polygonal_perception::ros_common

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
-#include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "ros/perception/camera_attitude.hpp"
+#include "ros/perception/floor_transforms.hpp"
 
-namespace polygonal_perception::ros_common {
+namespace polygonal_perception::ros_perception {
 namespace {
 
 /// From an optical frame to the body frame that belongs to it (x ahead, y left, z up).
@@ -40,7 +40,7 @@ Eigen::Isometry3d toFloor(const Eigen::Isometry3d& camera)
 TEST(OutputPose, IsThePlaceUnderTheCameraAndItsHeading)
 {
   const Eigen::Isometry3d pose = camera(3.0, -2.0, 1.2, 0.7, 0.5, -0.1);
-  const Eigen::Isometry2d output = outputPose(pose, toFloor(pose));
+  const Eigen::Isometry2d output = poseInOutputFrame(pose, toFloor(pose));
   EXPECT_TRUE(output.translation().isApprox(Eigen::Vector2d(3.0, -2.0), 1e-12))
       << output.translation().transpose();
   EXPECT_NEAR(Eigen::Rotation2Dd(output.linear()).angle(), 0.7, 1e-12);
@@ -50,7 +50,7 @@ TEST(OutputPose, BringsPointsToWhereTfHasThem)
 {
   const Eigen::Isometry3d pose = camera(1.0, 2.0, 0.8, -2.4, 0.3, 0.2);
   const Eigen::Isometry3d to_floor = toFloor(pose);
-  const Eigen::Isometry2d output = outputPose(pose, to_floor);
+  const Eigen::Isometry2d output = poseInOutputFrame(pose, to_floor);
   const Eigen::Vector3d point(0.4, 0.1, 2.0);
   const Eigen::Vector3d expected = pose * point;
   const Eigen::Vector3d on_floor = to_floor * point;
@@ -63,7 +63,7 @@ TEST(OutputPose, KeepsThePlaceWhereTfKnowsNothingOfThePitch)
   // A robot's model may have its camera level while it nods: place and heading are still right.
   const Eigen::Isometry3d truth = camera(3.0, -2.0, 1.2, 0.7, 0.4, 0.0);
   const Eigen::Isometry3d from_tf = camera(3.0, -2.0, 1.1, 0.7, 0.0, 0.0);
-  const Eigen::Isometry2d output = outputPose(from_tf, toFloor(truth));
+  const Eigen::Isometry2d output = poseInOutputFrame(from_tf, toFloor(truth));
   EXPECT_TRUE(output.translation().isApprox(Eigen::Vector2d(3.0, -2.0), 1e-12))
       << output.translation().transpose();
   EXPECT_NEAR(Eigen::Rotation2Dd(output.linear()).angle(), 0.7, 1e-12);
@@ -91,7 +91,7 @@ TEST(CameraAttitude, PitchIsDownAndRollIsLeftSideUp)
   for (const double pitch : {-0.3, 0.0, 0.7}) {
     for (const double roll : {-0.2, 0.0, 0.3}) {
       const Eigen::Isometry3d pose = camera(0.0, 0.0, 1.0, 1.1, pitch, roll);
-      const ros_perception::CameraAttitude attitude = ros_perception::cameraAttitude(
+      const ros_perception::CameraAttitude attitude = cameraAttitude(
           pose.linear().row(2).transpose(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY());
       EXPECT_NEAR(attitude.pitch, pitch, 1e-12);
       EXPECT_NEAR(attitude.roll, roll, 1e-12);
@@ -100,4 +100,4 @@ TEST(CameraAttitude, PitchIsDownAndRollIsLeftSideUp)
 }
 
 }  // namespace
-}  // namespace polygonal_perception::ros_common
+}  // namespace polygonal_perception::ros_perception

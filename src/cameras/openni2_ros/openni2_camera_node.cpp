@@ -1,12 +1,21 @@
-#include "cameras/openni2_ros/openni2_camera_ros.hpp"
+#include "polygonal_perception/cameras/openni2_ros/openni2_camera_node.hpp"
 
+#include <image_transport/image_transport.h>
+#include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <boost/make_shared.hpp>
+#include <cstdint>
 #include <cstring>
+#include <mutex>
+#include <string>
+#include <vector>
 
 #include "cameras/openni2/depth_modes.hpp"
+#include "cameras/openni2_ros/depth_calibration.hpp"
+#include "polygonal_perception/cameras/openni2/device_clock.hpp"
+#include "polygonal_perception/cameras/openni2/openni2_source.hpp"
 
 namespace polygonal_perception::openni2_ros {
 namespace {
@@ -45,7 +54,28 @@ sensor_msgs::ImagePtr toImage(const openni2::DepthFrame& frame, const std_msgs::
 
 }  // namespace
 
-OpenNI2CameraRos::OpenNI2CameraRos(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+class OpenNI2CameraNode::Implementation
+{
+public:
+  Implementation(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  ~Implementation();
+
+private:
+  void onReaders();
+  void onFrame(const openni2::DepthFrame& frame);
+
+  std::mutex mutex_;  // of source_, which readers that come and go speak to
+  std::string frame_id_;
+  std::uint32_t sequence_ = 0;  // of the last frame: roscpp numbers messages for other processes only
+  openni2::DeviceClock clock_;
+  std::unique_ptr<DepthCalibration> calibration_;
+  image_transport::CameraPublisher raw_;
+  std::vector<image_transport::Publisher> rectified_;
+  std::unique_ptr<openni2::OpenNI2Source> source_;
+};
+
+OpenNI2CameraNode::Implementation::Implementation(const ros::NodeHandle& node,
+                                                  const ros::NodeHandle& private_node)
 {
   const openni2::SourceOptions options = readOptions(private_node);
   // As openni2_camera names them: registered depth is the colour camera's.
@@ -75,14 +105,14 @@ OpenNI2CameraRos::OpenNI2CameraRos(const ros::NodeHandle& node, const ros::NodeH
       });
 }
 
-OpenNI2CameraRos::~OpenNI2CameraRos()
+OpenNI2CameraNode::Implementation::~Implementation()
 {
   // The source publishes, and readers call the source: it ends first.
   const std::lock_guard<std::mutex> lock(mutex_);
   source_.reset();
 }
 
-void OpenNI2CameraRos::onReaders()
+void OpenNI2CameraNode::Implementation::onReaders()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!source_) return;
@@ -91,7 +121,7 @@ void OpenNI2CameraRos::onReaders()
   source_->setStreaming(readers > 0);
 }
 
-void OpenNI2CameraRos::onFrame(const openni2::DepthFrame& frame)
+void OpenNI2CameraNode::Implementation::onFrame(const openni2::DepthFrame& frame)
 {
   std_msgs::Header header;
   header.seq = ++sequence_;
@@ -103,5 +133,11 @@ void OpenNI2CameraRos::onFrame(const openni2::DepthFrame& frame)
     if (publisher.getNumSubscribers() > 0) publisher.publish(image);
   }
 }
+
+OpenNI2CameraNode::OpenNI2CameraNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : implementation_(std::make_unique<Implementation>(handle, private_handle))
+{
+}
+OpenNI2CameraNode::~OpenNI2CameraNode() = default;
 
 }  // namespace polygonal_perception::openni2_ros

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+
+namespace polygonal_perception::perception {
+
+/// What a frame can be asked for. A new product is a line here, one in Products::needs() and a stage in Pipeline::process().
+enum class Product : std::uint8_t
+{
+  kFloor,           ///< the plane, its status, and the floor frame
+  kSampleLabels,    ///< what became of each sample (figure 3 of the paper)
+  kFloorHull,       ///< the convex hull of the floor's samples
+  kOccupancy,       ///< the cells in which something stands
+  kObstaclePoints,  ///< the points that stand in them
+  kInflation,       ///< the cells within robot_radius of those
+  kPolygons         ///< the obstacles as polygons
+};
+
+/// A set of products, each with all that it is made of: who asks for polygons gets the grids, too.
+class Products
+{
+public:
+  constexpr Products() = default;
+  // Implicit, so that one product is asked for as it is.
+  constexpr Products(Product product) : bits_(bit(product))  // NOLINT(google-explicit-constructor)
+  {
+    if (product != Product::kFloor) bits_ |= needs(product).bits_;
+  }
+  constexpr Products(std::initializer_list<Product> products)
+  {
+    for (const Product product : products) *this |= product;
+  }
+
+  constexpr bool has(Product product) const { return (bits_ & bit(product)) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+
+  constexpr Products& operator|=(Products other)
+  {
+    bits_ |= other.bits_;
+    return *this;
+  }
+  friend constexpr Products operator|(Products a, Products b) { return a |= b; }
+  /// The products that are in both sets.
+  friend constexpr Products operator&(Products a, Products b)
+  {
+    a.bits_ &= b.bits_;
+    return a;
+  }
+  constexpr bool operator==(Products other) const { return bits_ == other.bits_; }
+  constexpr bool operator!=(Products other) const { return bits_ != other.bits_; }
+
+private:
+  static constexpr std::uint32_t bit(Product product) { return 1U << static_cast<unsigned>(product); }
+
+  /// What a product is made of.
+  static constexpr Products needs(Product product)
+  {
+    switch (product) {
+      case Product::kPolygons:
+        return Product::kInflation;
+      case Product::kInflation:
+        return Product::kOccupancy;
+      case Product::kFloorHull:
+        return Product::kSampleLabels;
+      default:
+        return Product::kFloor;
+    }
+  }
+
+  std::uint32_t bits_ = 0;
+};
+
+}  // namespace polygonal_perception::perception

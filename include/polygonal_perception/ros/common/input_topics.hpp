@@ -1,0 +1,104 @@
+#pragma once
+
+#include <ros/names.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <boost/shared_ptr.hpp>
+#include <boost/weak_ptr.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polygonal_perception/export.hpp"
+#include "polygonal_perception/ros/common/callback_gate.hpp"
+
+namespace polygonal_perception::ros_common {
+
+/// A node's input topics, subscribed and left together, as a lazy node does with its readers. Hands over each message
+/// once, uncopied, and only the newest: one that waited is dropped for it.
+class POLYGONAL_PERCEPTION_EXPORT InputTopics
+{
+public:
+  /// Subscriptions that are over. To be destroyed outside of the gate: roscpp then waits for a callback that is under
+  /// way, which may be waiting to come in.
+  using Retired = std::vector<ros::Subscriber>;
+
+  /// @param handle  whose queue serves the callbacks
+  /// @param node    the node's name; its inputs are beside it
+  /// @param gate    callbacks run inside it
+  InputTopics(const ros::NodeHandle& handle, const std::string& node, std::shared_ptr<CallbackGate> gate);
+
+  InputTopics(const InputTopics&) = delete;
+  InputTopics& operator=(const InputTopics&) = delete;
+
+  /// Adds a topic, before the first start. The first one is what the node waits for; it is subscribed last.
+  template <class Message>
+  void add(const char* topic, std::function<void(const boost::shared_ptr<const Message>&)> action)
+  {
+    // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names fall into
+    // the manager's namespace, past the nodelet's remappings.
+    const std::string name = ros::names::append(namespace_, topic);
+    topics_.push_back({name, [this, name, action = std::move(action)] {
+                         const auto last = std::make_shared<boost::weak_ptr<const void>>();
+                         const auto take = [last, action](const boost::shared_ptr<const Message>& message) {
+                           if (isNew(message, *last)) action(message);
+                         };
+                         return handle_.subscribe<Message>(name, kQueueSize, gated(gate_, take), nullptr,
+                                                           ros::TransportHints().tcpNoDelay());
+                       }});
+  }
+
+  /// Called when the topics are about to be subscribed, and when they have been left.
+  void onChange(std::function<void()> starting, std::function<void()> stopped)
+  {
+    starting_ = std::move(starting);
+    stopped_ = std::move(stopped);
+  }
+
+  /// Subscribes if that is wanted, and leaves if not; where it cannot subscribe, error() says why.
+  Retired follow(bool wanted);
+
+  bool active() const { return !subscribers_.empty(); }
+  /// Why it could not subscribe, or empty.
+  const std::string& error() const { return error_; }
+  /// The first topic's name, with the node's remappings; empty while it is not active.
+  std::string topic() const { return active() ? subscribers_.back().getTopic() : std::string(); }
+  bool isPublished() const { return active() && subscribers_.back().getNumPublishers() > 0; }
+
+private:
+  static constexpr std::uint32_t kQueueSize = 1;
+
+  struct Topic
+  {
+    std::string name;
+    std::function<ros::Subscriber()> subscribe;
+  };
+
+  Retired start();
+  static bool isNew(const boost::shared_ptr<const void>& message, boost::weak_ptr<const void>& last);
+
+  ros::NodeHandle handle_;
+  std::string namespace_;
+  std::shared_ptr<CallbackGate> gate_;
+  std::vector<Topic> topics_;
+  std::function<void()> starting_ = [] {};
+  std::function<void()> stopped_ = [] {};
+  std::vector<ros::Subscriber> subscribers_;
+  std::string error_;
+};
+
+/// A callback that runs `update` inside the gate and ends the subscriptions that it returns outside of it.
+template <class Update>
+auto retiringOutside(const std::shared_ptr<CallbackGate>& gate, Update update)
+{
+  return [gate, update](const auto&...) {
+    InputTopics::Retired retired;
+    const auto inside = gate->enter();
+    if (inside.owns_lock()) retired = update();
+  };
+}
+
+}  // namespace polygonal_perception::ros_common

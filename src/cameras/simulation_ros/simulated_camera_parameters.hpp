@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/parameters/parameter_table.hpp"
+
+namespace polygonal_perception::simulation_ros {
+
+inline bool isScene(const std::string& text)
+{
+  const auto& names = simulation::sceneNames();
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+inline bool isTrajectory(const std::string& text)
+{
+  const auto& names = simulation::trajectoryNames();
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+inline bool isName(const std::string& text)
+{
+  return !text.empty();
+}
+
+/// Every parameter of the simulated camera, read when it starts.
+struct SimulatedCameraParameters
+{
+  std::string camera = "camera";
+  std::string scene = "office";
+  std::string trajectory = "robotino";
+  int seed = 1;
+  double rate = 30.0;  ///< [Hz]
+  int width = 640;     ///< [px]
+  int height = 480;    ///< [px]
+  bool has_noise = true;
+  simulation::DepthNoise::Parameters noise;
+  double min_height = 0.03;  ///< [m] of the obstacles in the truth
+  double max_height = 0.60;  ///< [m]
+  bool publish_tf = true;
+  std::string world_frame = "odom";
+  std::string base_frame = "base_link";
+  std::string camera_frame = "camera_link";
+  std::string optical_frame = "camera_depth_optical_frame";
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& visit)
+  {
+    using parameters::Range;
+    using parameters::TextRule;
+    const TextRule name{"a name", isName};
+    visit("camera", self.camera, name, "Namespace of the camera's topics.");
+    visit("scene", self.scene,
+          TextRule{"corridor, office, busy_office, person, table_top, wall, doorway, stairs, ledge", isScene},
+          "Where the camera looks.");
+    visit("trajectory", self.trajectory, TextRule{"robotino, nao", isTrajectory}, "How it moves.");
+    visit("seed", self.seed, Range{0, 1e9}.atStart(), "", "Another number, another room.");
+    visit("rate", self.rate, Range{0.1, 1000.0}.atStart(), "Hz", "Frames a second.");
+    visit("width", self.width, Range{1, 8192}.atStart(), "px", "Of the image.");
+    visit("height", self.height, Range{1, 8192}.atStart(), "px", "Of the image.");
+    visit("noise", self.has_noise, "Whether depth has the noise of a structured-light camera.");
+    simulation::DepthNoise::Parameters::describe(
+        self.noise,
+        [&visit](const char* noise_name, auto& value, const Range& range, const auto&... unit_and_help) {
+          visit(("noise_" + std::string(noise_name)).c_str(), value, range.atStart(), unit_and_help...);
+        });
+    visit("min_height", self.min_height, Range{-10.0, 10.0}.atStart(), "m", "Lowest of the true obstacles.");
+    visit("max_height", self.max_height, Range{-10.0, 10.0}.atStart(), "m", "Highest of the true obstacles.");
+    visit("publish_tf", self.publish_tf, "Whether to broadcast the robot's and the camera's frames.");
+    visit("world_frame", self.world_frame, name, "Frame in which the room stands still.");
+    visit("base_frame", self.base_frame, name, "Of the robot, on the floor under the camera.");
+    visit("camera_frame", self.camera_frame, name, "Of the camera, x ahead, z up.");
+    visit("optical_frame", self.optical_frame, name, "Of its images, x right, z ahead.");
+  }
+
+  std::optional<parameters::ParameterFault> conflict() const
+  {
+    return parameters::findDisorder("min_height", min_height, "max_height", max_height);
+  }
+
+  simulation::SimulatedCamera::Options options() const
+  {
+    simulation::SimulatedCamera::Options options;
+    options.scene = scene;
+    options.trajectory = trajectory;
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.rate = rate;
+    options.camera = simulation::PinholeCamera::ofSize(static_cast<std::uint32_t>(width),
+                                                       static_cast<std::uint32_t>(height));
+    options.noise = has_noise ? noise : simulation::DepthNoise::Parameters::none();
+    return options;
+  }
+};
+
+}  // namespace polygonal_perception::simulation_ros

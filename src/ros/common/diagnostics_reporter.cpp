@@ -1,0 +1,53 @@
+#include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "ros/common/diagnostic_period.hpp"
+
+namespace polygonal_perception::ros_common {
+
+DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                                         std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
+                                         std::function<InputTopics::Retired()> retry,
+                                         std::function<void(Status&)> fill)
+    // The period is looked at before the updater looks.
+    : private_handle_((ensureDiagnosticPeriod(private_handle), private_handle)),
+      log_(log),
+      updater_(handle, private_handle, private_handle.getNamespace())
+{
+  updater_.setHardwareID("none");
+  updater_.add("frames", std::move(fill));
+  // The updater may have read another value, one that never ends, of a parameter that changes just now.
+  timer_ = ros::NodeHandle(handle).createWallTimer(ros::WallDuration(ensureDiagnosticPeriod(private_handle_)),
+                                                   retiringOutside(gate, [this, retry = std::move(retry)] {
+                                                     InputTopics::Retired retired = retry();
+                                                     report();
+                                                     return retired;
+                                                   }));
+}
+
+void DiagnosticsReporter::report()
+{
+  ensureDiagnosticPeriod(private_handle_);
+  // It adds its period to the clock, which throws at the end of ROS's time.
+  try {
+    updater_.force_update();
+  } catch (const std::exception& error) {
+    log_.error("diagnostics", std::string("no diagnostics: ") + error.what());
+  }
+}
+
+void addStatistics(const FrameStatistics& statistics, DiagnosticsReporter::Status& status)
+{
+  status.add("Frames answered", statistics.answeredCount());
+  status.add("Frames rejected", statistics.rejectedCount());
+  status.add("Last rejection", statistics.lastRejection().empty() ? "none" : statistics.lastRejection());
+  status.add("Frames dropped", statistics.droppedCount());
+  for (const auto& [name, stage] : statistics.stages()) {
+    status.addf("Time of " + name + " mean [ms]", "%.3f", stage.meanMs());
+    status.addf("Time of " + name + " max [ms]", "%.3f", stage.maxMs());
+  }
+}
+
+}  // namespace polygonal_perception::ros_common

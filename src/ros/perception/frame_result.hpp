@@ -1,0 +1,43 @@
+#pragma once
+
+#include <std_msgs/Header.h>
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+#include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+
+namespace polygonal_perception::ros_perception {
+
+/// Where the floor frame lies in the output frame.
+struct OutputPose
+{
+  std::string frame;
+  Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
+};
+
+/// A frame with everything that its messages are made of. What it refers to must stay while messages are made.
+struct FrameResult
+{
+  const std_msgs::Header& input;
+  const perception::PointView& points;
+  const perception::Pipeline::Result& result;
+  double robot_radius;  ///< [m] by which obstacles are inflated
+  /// Nothing: unknown, and what lies in the output frame is left out.
+  std::optional<OutputPose> output;
+
+  bool hasFloor() const { return result.floor.status != perception::FloorStatus::kNotFound; }
+  /// Stamp of the input, in the output frame. @pre output
+  std_msgs::Header outputHeader() const
+  {
+    std_msgs::Header header;
+    header.seq = input.seq;
+    header.stamp = input.stamp;
+    header.frame_id = output->frame;
+    return header;
+  }
+};
+
+}  // namespace polygonal_perception::ros_perception

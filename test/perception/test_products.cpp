@@ -1,0 +1,30 @@
+#include <gtest/gtest.h>
+
+#include "polygonal_perception/perception/products.hpp"
+
+namespace polygonal_perception::perception {
+namespace {
+
+TEST(Products, BringAllThatTheyAreMadeOf)
+{
+  const Products polygons = Product::kPolygons;
+  for (const Product part : {Product::kPolygons, Product::kInflation, Product::kOccupancy, Product::kFloor}) {
+    EXPECT_TRUE(polygons.has(part)) << "product " << static_cast<int>(part);
+  }
+  for (const Product other : {Product::kObstaclePoints, Product::kFloorHull, Product::kSampleLabels}) {
+    EXPECT_FALSE(polygons.has(other)) << "product " << static_cast<int>(other);
+  }
+  EXPECT_TRUE(Products(Product::kFloorHull).has(Product::kSampleLabels));
+}
+
+TEST(Products, AreSets)
+{
+  EXPECT_TRUE(Products{}.empty());
+  const Products both = Products(Product::kFloorHull) | Product::kOccupancy;
+  EXPECT_EQ(both, (Products{Product::kOccupancy, Product::kFloorHull}));
+  EXPECT_EQ(both & Product::kInflation, Products(Product::kOccupancy));
+  EXPECT_NE(both, Products(Product::kFloorHull));
+}
+
+}  // namespace
+}  // namespace polygonal_perception::perception
