@@ -48,7 +48,7 @@ bool meet(const PolygonSet& polygons, const PlacedEdge& a, const PlacedEdge& b)
 
 }  // namespace
 
-std::optional<Invalidity> findContact(const PolygonSet& polygons, ContactOf of)
+std::optional<Invalidity> findContact(const PolygonSet& polygons)
 {
   std::vector<PlacedEdge> edges;
   std::vector<Eigen::AlignedBox2d> boxes;
@@ -62,17 +62,17 @@ std::optional<Invalidity> findContact(const PolygonSet& polygons, ContactOf of)
                          ring.edge(k).from.cwiseMax(ring.edge(k).to));
     }
   }
-  const bool of_one_ring = of == ContactOf::kOneRing;
   std::optional<Invalidity> found;
   anyOverlappingPair(boxes, [&](std::uint32_t i, std::uint32_t j) {
     const PlacedEdge& a = edges[std::min(i, j)];
     const PlacedEdge& b = edges[std::max(i, j)];
-    if ((a.ring == b.ring) != of_one_ring || !meet(polygons, a, b)) return false;
-    found = of_one_ring ? invalidity(Defect::kRingMeetsItself, a.ring, meetingPoint(a.edge, b.edge),
-                                     "crosses or touches itself")
-                        : invalidity(Defect::kRingsMeet, a.ring, meetingPoint(a.edge, b.edge),
-                                     "meets ring " + std::to_string(b.ring));
-    return true;
+    const bool of_one_ring = a.ring == b.ring;
+    if ((found && !of_one_ring) || !meet(polygons, a, b)) return false;
+    const Eigen::Vector2d place = meetingPoint(a.edge, b.edge);
+    found = of_one_ring
+                ? invalidity(Defect::kRingMeetsItself, a.ring, place, "crosses or touches itself")
+                : invalidity(Defect::kRingsMeet, a.ring, place, "meets ring " + std::to_string(b.ring));
+    return of_one_ring;
   });
   return found;
 }

@@ -6,14 +6,8 @@
 
 namespace polygonal_perception::geometry {
 
-enum class ContactOf
-{
-  kOneRing,
-  kTwoRings
-};
-
-/// Looks for edges of one ring, or of two, that have a point in common: kRingMeetsItself or kRingsMeet.
+/// Looks for edges that have a point in common: of one ring (kRingMeetsItself), else of two (kRingsMeet).
 /// @pre rings of at least 3 finite vertices, none repeated
-std::optional<Invalidity> findContact(const PolygonSet& polygons, ContactOf of);
+std::optional<Invalidity> findContact(const PolygonSet& polygons);
 
 }  // namespace polygonal_perception::geometry

@@ -56,8 +56,7 @@ std::optional<Invalidity> findDefect(const PolygonSet& polygons)
   for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
     if (auto found = findBadVertex(polygons.view(polygons.rings[r]), r)) return found;
   }
-  if (auto found = findContact(polygons, ContactOf::kOneRing)) return found;
-  if (auto found = findContact(polygons, ContactOf::kTwoRings)) return found;
+  if (auto found = findContact(polygons)) return found;
   if (auto found = findWrongOrientation(polygons)) return found;
   return findWrongNesting(polygons);
 }
