@@ -4,6 +4,7 @@
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "polygonal_perception/perception/floor/floor_hull.hpp"
+#include "polygonal_perception/ros/common/polygon_messages.hpp"
 #include "ros/perception/markers.hpp"
 #include "ros/perception/message_conversions.hpp"
 #include "ros/perception/obstacle_points.hpp"
@@ -128,7 +129,10 @@ void Outputs::publishInOutputFrame(const Answer& answer, perception::Pipeline& p
                                  : toUnknownGrid(header, geometry, pose));
   }
   if (isRead(polygons_) && has(perception::Pipeline::Goal::kPolygons)) {
-    polygons_.publish(toPolygonArray(header, result.polygons, pose, status));
+    polygons_.publish(
+        ros_common::toPolygonArray({header, static_cast<std::uint8_t>(status),
+                                    pipeline.parameters().inflation.robot_radius, geometry.bounds()},
+                                   result.polygons, pose));
   }
   if (isRead(obstacle_points_)) {
     standing_.clear();
