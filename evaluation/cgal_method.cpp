@@ -29,8 +29,8 @@ public:
     std::vector<Kernel::Point_2> points;
     for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
       points.clear();
-      for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k)
-        points.emplace_back(task.outlines.vertices[k].x(), task.outlines.vertices[k].y());
+      for (const Eigen::Vector2d& vertex : task.outlines.view(ring))
+        points.emplace_back(vertex.x(), vertex.y());
       rings.push_back(triangulation.insert_constraint(points.begin(), points.end(), true));
     }
     ps::simplify(triangulation, ps::Squared_distance_cost(),

@@ -42,13 +42,12 @@ private:
   virtual GEOSGeometry* simplify(GEOSContextHandle_t geos, const GEOSGeometry* outlines,
                                  const PolygonTask& task) const = 0;
 
-  GEOSGeometry* makeRing(const geometry::PolygonSet& polygons, const geometry::PolygonSet::Ring& ring) const
+  GEOSGeometry* makeRing(const geometry::RingView& ring) const
   {
-    GEOSCoordSequence* const points = GEOSCoordSeq_create_r(geos_, ring.size + 1, 2);
-    for (std::uint32_t k = 0; k <= ring.size; ++k) {
-      const Eigen::Vector2d& vertex = polygons.vertices[ring.first + k % ring.size];
-      GEOSCoordSeq_setXY_r(geos_, points, k, vertex.x(), vertex.y());
-    }
+    const auto size = static_cast<unsigned>(ring.size());
+    GEOSCoordSequence* const points = GEOSCoordSeq_create_r(geos_, size + 1, 2);
+    for (unsigned k = 0; k < size; ++k) GEOSCoordSeq_setXY_r(geos_, points, k, ring[k].x(), ring[k].y());
+    GEOSCoordSeq_setXY_r(geos_, points, size, ring[0].x(), ring[0].y());
     return GEOSGeom_createLinearRing_r(geos_, points);
   }
 
@@ -56,10 +55,10 @@ private:
   {
     std::vector<GEOSGeometry*> polygons;
     for (std::size_t r = 0; r < outlines.rings.size();) {
-      GEOSGeometry* const boundary = makeRing(outlines, outlines.rings[r]);
+      GEOSGeometry* const boundary = makeRing(outlines.view(outlines.rings[r]));
       std::vector<GEOSGeometry*> holes;
       for (++r; r < outlines.rings.size() && outlines.rings[r].hole; ++r)
-        holes.push_back(makeRing(outlines, outlines.rings[r]));
+        holes.push_back(makeRing(outlines.view(outlines.rings[r])));
       polygons.push_back(GEOSGeom_createPolygon_r(geos_, boundary, holes.empty() ? nullptr : holes.data(),
                                                   static_cast<unsigned>(holes.size())));
     }

@@ -5,6 +5,7 @@
 
 #include "perception/grid/bit_grid.hpp"
 #include "perception/polygons/outline.hpp"
+#include "polygonal_perception/geometry/measures.hpp"
 #include "polygonal_perception/perception/grid/inflation.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"
 
@@ -77,9 +78,9 @@ public:
     polygons.clear();
     for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
       points_.clear();
-      for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k) {
-        points_.emplace_back(cvRound((task.outlines.vertices[k].x() - geometry.origin_x) / unit),
-                             cvRound((task.outlines.vertices[k].y() - geometry.origin_y) / unit));
+      for (const Eigen::Vector2d& vertex : task.outlines.view(ring)) {
+        points_.emplace_back(cvRound((vertex.x() - geometry.origin_x) / unit),
+                             cvRound((vertex.y() - geometry.origin_y) / unit));
       }
       cv::approxPolyDP(points_, points_, task.tolerance / unit, true);
       simplified_.clear();
@@ -126,19 +127,6 @@ private:
 
 }  // namespace
 
-double areaOf(const geometry::PolygonSet& polygons)
-{
-  double twice = 0.0;
-  for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
-    for (std::uint32_t k = 0; k < ring.size; ++k) {
-      const Eigen::Vector2d& a = polygons.vertices[ring.first + k];
-      const Eigen::Vector2d& b = polygons.vertices[ring.first + (k + 1) % ring.size];
-      twice += a.x() * b.y() - b.x() * a.y();
-    }
-  }
-  return 0.5 * twice;
-}
-
 PolygonTask makePolygonTask(const perception::BinaryGrid& occupancy, double robot_radius, double tolerance)
 {
   PolygonTask task;
@@ -149,8 +137,8 @@ PolygonTask makePolygonTask(const perception::BinaryGrid& occupancy, double robo
   task.outlines = traceOutlines(task.inflated);
   geometry::PolygonSet own;
   ThisPackage().polygonize(task, own);
-  const double area = areaOf(task.outlines);
-  task.added_share = area > 0.0 ? areaOf(own) / area - 1.0 : 0.0;
+  const double area = geometry::area(task.outlines);
+  task.added_share = area > 0.0 ? geometry::area(own) / area - 1.0 : 0.0;
   return task;
 }
 

@@ -42,9 +42,6 @@ std::vector<std::unique_ptr<PolygonMethod>> makeGeosMethods();
 /// Built only where CGAL is found.
 std::unique_ptr<PolygonMethod> makeCgalMethod();
 
-/// Signed area of all rings together [m^2].
-double areaOf(const geometry::PolygonSet& polygons);
-
 /// Adds a ring of points that have members x and y [m].
 template <class Points>
 void addRing(const Points& points, bool hole, geometry::PolygonSet& polygons)

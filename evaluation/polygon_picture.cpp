@@ -53,7 +53,8 @@ public:
     const double unit = geometry_.resolution / kCell;
     cv::Mat1b unsafe = distance < task.robot_radius / unit - 0.5;
     std::vector<std::vector<cv::Point>> rings;
-    for (const geometry::PolygonSet::Ring& ring : polygons.rings) rings.push_back(pixels(polygons, ring));
+    for (const geometry::PolygonSet::Ring& ring : polygons.rings)
+      rings.push_back(pixels(polygons.view(ring)));
     cv::Mat1b inside(picture_.size(), 0);
     cv::fillPoly(inside, rings, 255, cv::LINE_8, kShift);
     unsafe.setTo(0, inside);
@@ -63,7 +64,7 @@ public:
   void draw(const geometry::PolygonSet& polygons)
   {
     for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
-      const auto points = pixels(polygons, ring);
+      const auto points = pixels(polygons.view(ring));
       cv::polylines(picture_, points, true, kPolygon, 2, cv::LINE_AA, kShift);
       for (const cv::Point& point : points)
         cv::circle(picture_, point, 3 << kShift, kPolygon, cv::FILLED, cv::LINE_AA, kShift);
@@ -98,13 +99,11 @@ private:
       }
     }
   }
-  std::vector<cv::Point> pixels(const geometry::PolygonSet& polygons,
-                                const geometry::PolygonSet::Ring& ring) const
+  std::vector<cv::Point> pixels(const geometry::RingView& ring) const
   {
     std::vector<cv::Point> points;
     const double scale = kCell / geometry_.resolution * (1 << kShift);
-    for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k) {
-      const Eigen::Vector2d& vertex = polygons.vertices[k];
+    for (const Eigen::Vector2d& vertex : ring) {
       points.emplace_back(cvRound((picture_.cols << kShift) - (vertex.y() - geometry_.origin_y) * scale),
                           cvRound((picture_.rows << kShift) - (vertex.x() - geometry_.origin_x) * scale));
     }

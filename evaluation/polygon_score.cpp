@@ -6,6 +6,7 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "polygonal_perception/geometry/measures.hpp"
 #include "reference/douglas_peucker.hpp"
 #include "reference/error_statistics.hpp"
 #include "reference/polygon_checker.hpp"
@@ -65,7 +66,7 @@ void PolygonScore::add(const PolygonTask& task, const PolygonReference& referenc
     large_ += ratio > kMostVertices ? 1 : 0;
     worst_vertices_ = std::max(worst_vertices_, ratio);
   }
-  if (reference.area > 0.0) areas_.push_back(areaOf(polygons) / reference.area);
+  if (reference.area > 0.0) areas_.push_back(geometry::area(polygons) / reference.area);
   microseconds_.push_back(microseconds);
 }
 

@@ -1,38 +1,25 @@
 // Says for every frame whether the robot's centre may be 1.5 m ahead of the camera.
-#include <polygonal_perception/FloorPlane.h>
 #include <polygonal_perception/PolygonArray.h>
 #include <ros/ros.h>
 
+#include <polygonal_perception/geometry/location.hpp>
+#include <polygonal_perception/ros/common/polygon_messages.hpp>
+
 using namespace polygonal_perception;
 
-// Whether a ray from (x, y) along +x crosses a ring an odd number of times.
-bool crossesOdd(const geometry_msgs::Polygon& ring, double x, double y)
+const char* stateOf(const PolygonArray& array, const Eigen::Vector2d& point)
 {
-  bool odd = false;
-  for (std::size_t i = 0, j = ring.points.size() - 1; i < ring.points.size(); j = i++) {
-    const auto &a = ring.points[i], &b = ring.points[j];
-    if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y)) odd = !odd;
-  }
-  return odd;
-}
-
-// Polygons do not overlap and holes lie inside of them: outside means an even number of crossings with all
-// rings.
-bool isFree(const PolygonArray& array, double x, double y)
-{
-  bool inside = false;
-  for (const ObstaclePolygon& polygon : array.polygons) {
-    inside ^= crossesOdd(polygon.boundary, x, y);
-    for (const geometry_msgs::Polygon& hole : polygon.holes) inside ^= crossesOdd(hole, x, y);
-  }
-  return !inside;
+  // Outside of the extent nothing is known; without a floor it is empty.
+  const auto extent = ros_common::toVertices(array.extent);
+  if (geometry::locate(point, geometry::RingView(extent)) == geometry::Location::kOutside) return "unknown";
+  const auto polygons = ros_common::toPolygonSet(array);
+  if (!polygons) return "unknown";
+  return geometry::locate(point, *polygons) == geometry::Location::kInside ? "blocked" : "free";
 }
 
 void onPolygons(const PolygonArray& array)
 {
-  // Without a floor there are no polygons: that is not free space.
-  const bool known = array.floor_status != FloorPlane::NOT_FOUND;
-  ROS_INFO("1.5 m ahead: %s", !known ? "unknown" : isFree(array, 1.5, 0.0) ? "free" : "blocked");
+  ROS_INFO("1.5 m ahead: %s", stateOf(array, {1.5, 0.0}));
 }
 
 int main(int argc, char** argv)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Says for every frame whether the robot's centre may be 1.5 m ahead of the camera."""
 import rospy
-from polygonal_perception.msg import FloorPlane, PolygonArray
+from polygonal_perception.msg import PolygonArray
 
 
 def crosses_odd(ring, x, y):
@@ -17,10 +17,15 @@ def is_free(array, x, y):
     return sum(crosses_odd(ring, x, y) for ring in rings) % 2 == 0
 
 
+def state_of(array, x, y):
+    # Outside of the extent nothing is known; without a floor it is empty.
+    if not crosses_odd(array.extent, x, y):
+        return 'unknown'
+    return 'free' if is_free(array, x, y) else 'blocked'
+
+
 def on_polygons(array):
-    # Without a floor there are no polygons: that is not free space.
-    known = array.floor_status != FloorPlane.NOT_FOUND
-    rospy.loginfo('1.5 m ahead: %s', ('free' if is_free(array, 1.5, 0.0) else 'blocked') if known else 'unknown')
+    rospy.loginfo('1.5 m ahead: %s', state_of(array, 1.5, 0.0))
 
 
 rospy.init_node('is_free')

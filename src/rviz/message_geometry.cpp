@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace polygonal_perception::displays {
 
@@ -14,32 +13,12 @@ bool isFinite(const geometry_msgs::Point32& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// @return whether the ring could be drawn and was appended
-bool appendRing(const geometry_msgs::Polygon& ring, bool hole, geometry::PolygonSet& polygons)
-{
-  if (ring.points.size() < 3 || !std::all_of(ring.points.begin(), ring.points.end(), isFinite)) return false;
-  polygons.rings.push_back({static_cast<std::uint32_t>(polygons.vertices.size()),
-                            static_cast<std::uint32_t>(ring.points.size()), hole});
-  for (const geometry_msgs::Point32& p : ring.points) polygons.vertices.emplace_back(p.x, p.y);
-  return true;
-}
-
 Eigen::Vector3d normalOf(const FloorPlane& floor)
 {
   return {floor.normal.x, floor.normal.y, floor.normal.z};
 }
 
 }  // namespace
-
-std::optional<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon)
-{
-  geometry::PolygonSet polygons;
-  if (!appendRing(polygon.boundary, false, polygons)) return std::nullopt;
-  for (const geometry_msgs::Polygon& hole : polygon.holes) {
-    if (!appendRing(hole, true, polygons)) return std::nullopt;
-  }
-  return polygons;
-}
 
 bool isDrawable(const FloorPlane& floor)
 {

@@ -1,20 +1,13 @@
 #pragma once
 
 #include <polygonal_perception/FloorPlane.h>
-#include <polygonal_perception/ObstaclePolygon.h>
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
-#include "polygonal_perception/geometry/polygon_set.hpp"
-
-/// What messages say, as geometry to draw. A display draws what any node publishes: nothing is taken on trust
+/// What a FloorPlane says, as geometry to draw. A display draws what any node publishes: nothing is taken on trust
 /// here.
 namespace polygonal_perception::displays {
-
-/// @return nothing if a ring has fewer than 3 vertices or a coordinate is not finite
-std::optional<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon);
 
 /// Whether the normal is a unit vector and the distance and the hull are finite.
 bool isDrawable(const FloorPlane& floor);

@@ -52,12 +52,11 @@ StatusLine floorStatus(const FloorPlane& floor)
                                   .arg(1000.0 * floor.rms_error, 0, 'f', 1)};
 }
 
-StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed)
+StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed, const std::string& error)
 {
   if (malformed > 0) {
     return {StatusProperty::Error,
-            QString("%1 left out: a ring has fewer than 3 vertices or a coordinate is not finite")
-                .arg(counted(malformed, "polygon"))};
+            QString("%1 left out: %2").arg(counted(malformed, "polygon"), QString::fromStdString(error))};
   }
   std::size_t holes = 0;
   std::size_t vertices = 0;

@@ -5,6 +5,7 @@
 #include <rviz/properties/status_property.h>
 
 #include <QString>
+#include <string>
 
 namespace polygonal_perception::displays {
 
@@ -25,6 +26,7 @@ StatusLine floorStatus(const FloorPlane& floor);
 /// How many polygons, holes and vertices an array has.
 ///
 /// @param malformed  number of polygons that cannot be drawn; any is an error
-StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed);
+/// @param error      what is wrong with one of them
+StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed, const std::string& error);
 
 }  // namespace polygonal_perception::displays

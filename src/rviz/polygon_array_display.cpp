@@ -5,12 +5,12 @@
 #include <rviz/properties/enum_property.h>
 #include <rviz/properties/float_property.h>
 
-#include <Eigen/Geometry>
-#include <optional>
+#include <cmath>
 #include <pluginlib/class_list_macros.hpp>
-#include <utility>
+#include <string>
 
-#include "rviz/message_geometry.hpp"
+#include "polygonal_perception/geometry/measures.hpp"
+#include "polygonal_perception/ros/common/polygon_messages.hpp"
 #include "rviz/message_status.hpp"
 
 namespace polygonal_perception::displays {
@@ -24,23 +24,23 @@ enum ColorBy
 };
 
 constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is only HELD are paler
-
-/// The middle of the boundary's bounding box.
-Eigen::Vector2d centerOf(const geometry::PolygonSet& polygon)
-{
-  const geometry::PolygonSet::Ring& boundary = polygon.rings.front();
-  Eigen::AlignedBox2d box;
-  for (std::uint32_t i = 0; i < boundary.size; ++i) box.extend(polygon.vertices[boundary.first + i]);
-  return box.center();
-}
+// The extent stays behind the polygons: grey and thin, yet over a pixel wide from above, lest parts go missing.
+constexpr float kExtentWidth = 0.015F;  // [m]
+const Ogre::ColourValue kExtentColor(0.6F, 0.6F, 0.6F, 0.6F);
 
 /// Those polygons that can be drawn, white.
-std::vector<PolygonShape::Polygon> polygonsOf(const PolygonArray& array)
+///
+/// @param error  what is wrong with the last of the others; untouched where there is none
+std::vector<PolygonShape::Polygon> polygonsOf(const PolygonArray& array, std::string& error)
 {
   std::vector<PolygonShape::Polygon> polygons;
   for (const ObstaclePolygon& message : array.polygons) {
-    std::optional<geometry::PolygonSet> rings = toPolygonSet(message);
-    if (rings) polygons.push_back({std::move(*rings), Ogre::ColourValue::White});
+    const auto rings = ros_common::toPolygonSet(message);
+    if (rings) {
+      polygons.push_back({*rings, Ogre::ColourValue::White});
+    } else {
+      error = rings.error();
+    }
   }
   return polygons;
 }
@@ -69,6 +69,9 @@ PolygonArrayDisplay::PolygonArrayDisplay()
   height_ = new rviz::FloatProperty("Height", 0.0F, "[m] of walls around the polygons; 0 for flat polygons.",
                                     this, SLOT(redraw()));
   height_->setMin(0.0F);
+  extent_ = new rviz::BoolProperty("Extent", true,
+                                   "Draw the outline of what was looked at; nothing is known outside.", this,
+                                   SLOT(redraw()));
   offset_ = new rviz::FloatProperty(
       "Offset", 0.005F, "[m] that the polygons are raised, so that the floor does not cover them.", this,
       SLOT(redraw()));
@@ -80,6 +83,7 @@ void PolygonArrayDisplay::onInitialize()
 {
   NewestMessageDisplay::onInitialize();
   shape_ = std::make_unique<PolygonShape>(*scene_manager_, *scene_node_);
+  extent_line_ = std::make_unique<RingLines>(*scene_manager_, *scene_node_);
 }
 
 void PolygonArrayDisplay::reset()
@@ -87,6 +91,7 @@ void PolygonArrayDisplay::reset()
   NewestMessageDisplay::reset();
   message_.reset();
   shape_->clear();
+  extent_line_->clear();
 }
 
 void PolygonArrayDisplay::show(const PolygonArray::ConstPtr& message)
@@ -102,8 +107,9 @@ void PolygonArrayDisplay::redraw()
   color_->setHidden(color_by_->getOptionInt() != kFixed);
   if (!message_) return;
 
-  std::vector<PolygonShape::Polygon> polygons = polygonsOf(*message_);
-  const StatusLine status = polygonStatus(*message_, message_->polygons.size() - polygons.size());
+  std::string error;
+  std::vector<PolygonShape::Polygon> polygons = polygonsOf(*message_, error);
+  const StatusLine status = polygonStatus(*message_, message_->polygons.size() - polygons.size(), error);
   setStatus(status.level, "Polygons", status.text);
   paint(polygons);
 
@@ -115,7 +121,20 @@ void PolygonArrayDisplay::redraw()
   style.offset = offset_->getFloat();
   style.height = height_->getFloat();
   shape_->set(polygons, style);
+  drawExtent();
   context_->queueRender();
+}
+
+void PolygonArrayDisplay::drawExtent()
+{
+  RingLines::Ring ring;
+  ring.color = kExtentColor;
+  for (const geometry_msgs::Point32& p : message_->extent.points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return extent_line_->clear();
+    ring.corners.emplace_back(p.x, p.y, offset_->getFloat());
+  }
+  if (!extent_->getBool()) ring.corners.clear();
+  extent_line_->set({ring}, kExtentWidth);
 }
 
 void PolygonArrayDisplay::paint(std::vector<PolygonShape::Polygon>& polygons)
@@ -125,7 +144,8 @@ void PolygonArrayDisplay::paint(std::vector<PolygonShape::Polygon>& polygons)
   } else {
     std::vector<Eigen::Vector2d> centers;
     centers.reserve(polygons.size());
-    for (const PolygonShape::Polygon& polygon : polygons) centers.push_back(centerOf(polygon.rings));
+    for (const PolygonShape::Polygon& polygon : polygons)
+      centers.push_back(geometry::bounds(polygon.rings).center());
     const std::vector<float> hues = colors_.assign(centers);
     for (std::size_t i = 0; i < polygons.size(); ++i) polygons[i].color.setHSB(hues[i], 0.8F, 0.95F);
   }

@@ -8,6 +8,7 @@
 #include "rviz/newest_message_display.hpp"
 #include "rviz/polygon_colors.hpp"
 #include "rviz/polygon_shape.hpp"
+#include "rviz/ring_lines.hpp"
 
 namespace rviz {
 class BoolProperty;
@@ -18,7 +19,8 @@ class FloatProperty;
 
 namespace polygonal_perception::displays {
 
-/// Shows a polygonal_perception/PolygonArray: each polygon filled, holes left open, with its outline.
+/// Shows a polygonal_perception/PolygonArray: each polygon filled, holes left open, with its outline; and the
+/// outline of what was looked at.
 class PolygonArrayDisplay : public NewestMessageDisplay<PolygonArray>
 {
   Q_OBJECT
@@ -38,6 +40,7 @@ private Q_SLOTS:
 private:
   void show(const PolygonArray::ConstPtr& message) override;
   void paint(std::vector<PolygonShape::Polygon>& polygons);
+  void drawExtent();
 
   // rviz owns the properties: they are children of the display.
   rviz::EnumProperty* color_by_;
@@ -47,11 +50,13 @@ private:
   rviz::BoolProperty* outline_;
   rviz::FloatProperty* line_width_;
   rviz::FloatProperty* height_;
+  rviz::BoolProperty* extent_;
   rviz::FloatProperty* offset_;
 
   PolygonArray::ConstPtr message_;  ///< the last; null before the first
   PolygonColors colors_;
   std::unique_ptr<PolygonShape> shape_;
+  std::unique_ptr<RingLines> extent_line_;
 };
 
 }  // namespace polygonal_perception::displays

@@ -1,7 +1,5 @@
 #include "rviz/polygon_shape.hpp"
 
-#include <cstdint>
-
 #include "polygonal_perception/geometry/triangulation.hpp"
 
 namespace polygonal_perception::displays {
@@ -28,9 +26,7 @@ void appendWalls(const geometry::PolygonSet& polygon, float bottom, float top, c
                  Corners& corners)
 {
   for (const geometry::PolygonSet::Ring& ring : polygon.rings) {
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-      const Eigen::Vector2d& a = polygon.vertices[ring.first + i];
-      const Eigen::Vector2d& b = polygon.vertices[ring.first + (i + 1) % ring.size];
+    for (const auto [a, b] : polygon.view(ring).edges()) {
       for (const Ogre::Vector3& corner :
            {at(a, bottom), at(b, bottom), at(b, top), at(a, bottom), at(b, top), at(a, top)}) {
         corners.push_back({corner, color});
@@ -45,9 +41,7 @@ void appendOutlines(const geometry::PolygonSet& polygon, float z, const Ogre::Co
   for (const geometry::PolygonSet::Ring& ring : polygon.rings) {
     RingLines::Ring& outline = outlines.emplace_back();
     outline.color = color;
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-      outline.corners.push_back(at(polygon.vertices[ring.first + i], z));
-    }
+    for (const Eigen::Vector2d& vertex : polygon.view(ring)) outline.corners.push_back(at(vertex, z));
   }
 }
 

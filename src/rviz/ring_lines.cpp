@@ -34,7 +34,7 @@ void RingLines::set(const std::vector<Ring>& rings, float width)
       first_piece = false;
       const std::size_t end = std::min(begin + kMaxEdges, ring.corners.size());
       for (std::size_t i = begin; i <= end; ++i) {
-        lines_.addPoint(ring.corners[i % ring.corners.size()], ring.color);
+        lines_.addPoint(ring.corners[i < ring.corners.size() ? i : 0], ring.color);
       }
     }
   }

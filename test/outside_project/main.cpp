@@ -53,9 +53,8 @@ int main()
   std::cout << "camera height " << result.floor.floor.plane.distance << '\n';
   for (const PolygonSet::Ring& ring : result.polygons.rings) {
     std::cout << (ring.hole ? "hole" : "polygon");
-    for (std::uint32_t i = ring.first; i < ring.first + ring.size; ++i) {
-      std::cout << ' ' << result.polygons.vertices[i].x() << ' ' << result.polygons.vertices[i].y();
-    }
+    for (const Eigen::Vector2d& vertex : result.polygons.view(ring))
+      std::cout << ' ' << vertex.x() << ' ' << vertex.y();
     std::cout << '\n';
   }
   return 0;

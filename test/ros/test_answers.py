@@ -85,6 +85,7 @@ class AnswersTest(unittest.TestCase):
     def check_polygons(self, occupied, answer):
         message = answer['polygons']
         self.assertEqual(message.floor_status, FOUND)
+        self.check_context(message)
         rings = []
         for polygon in message.polygons:
             boundary = [(p.x, p.y) for p in polygon.boundary.points]
@@ -112,6 +113,13 @@ class AnswersTest(unittest.TestCase):
             for vertex in boundary:
                 gap = np.maximum(np.abs(centres - vertex) - 0.025, 0.0)
                 self.assertLessEqual(np.hypot(*gap.T).min(), RADIUS + 1.5 * 0.05 + TOLERANCE + 1e-6)
+
+    def check_context(self, message):
+        """What every array says beside its polygons."""
+        self.assertEqual(message.inflation_radius, RADIUS)
+        # The grid's rectangle, counter-clockwise.
+        self.assertEqual([(p.x, p.y, p.z) for p in message.extent.points],
+                         [(0.0, -2.5, 0.0), (5.0, -2.5, 0.0), (5.0, 2.5, 0.0), (0.0, 2.5, 0.0)])
 
     def check_points(self, points, answer):
         message = answer['obstacle_points']
@@ -145,6 +153,7 @@ class AnswersTest(unittest.TestCase):
         _, answer = self.ask(scene.Camera(), [])
         self.assertEqual(answer['polygons'].floor_status, FOUND)
         self.assertEqual(answer['polygons'].polygons, [])
+        self.check_context(answer['polygons'])
         self.assertEqual(set(answer['occupancy_grid'].data), {0})
         self.assertEqual(set(answer['inflated_grid'].data), {0})
         self.assertEqual(answer['obstacle_points'].width, 0)

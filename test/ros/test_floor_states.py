@@ -43,6 +43,8 @@ class FloorStatesTest(unittest.TestCase):
         self.assertEqual(list(answer['floor_coefficients'].values), [])
         self.assertEqual(answer['polygons'].floor_status, NOT_FOUND)
         self.assertEqual(answer['polygons'].polygons, [])
+        self.assertEqual(answer['polygons'].extent.points, [], 'nothing is known anywhere')
+        self.assertGreater(answer['polygons'].inflation_radius, 0.0)
         self.assertEqual(answer['polygons'].header.frame_id, 'floor')
         for name in ('occupancy_grid', 'inflated_grid'):
             grid = answer[name]

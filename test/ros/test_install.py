@@ -100,7 +100,9 @@ class InstallTest(unittest.TestCase):
     def test_programs(self):
         table = self.run_installed('rosrun', 'polygonal_perception', 'polygonal_perception_parameters')
         self.assertIn('| `robot_radius` |', table)
-        self.assertIn('uint8 floor_status', self.run_installed('rosmsg', 'show', 'polygonal_perception/PolygonArray'))
+        message = self.run_installed('rosmsg', 'show', 'polygonal_perception/PolygonArray')
+        for field in ['uint8 floor_status', 'float64 inflation_radius', 'geometry_msgs/Polygon extent']:
+            self.assertIn(field, message)
 
     def test_an_outside_project_links_the_core_library(self):
         output = self.run_installed(os.path.join(self.build_outside('test', 'outside_project'), 'outside_project'))

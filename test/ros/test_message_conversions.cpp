@@ -87,26 +87,6 @@ TEST(MessageConversions, AGridIsPlacedByItsOrigin)
   EXPECT_EQ(unknown->info.origin, message->info.origin);
 }
 
-TEST(MessageConversions, HolesGoToTheirPolygon)
-{
-  geometry::PolygonSet polygons;
-  polygons.vertices = {{0, 0}, {3, 0}, {0, 3}, {1, 1}, {1, 1.5}, {1.5, 1}, {5, 5}, {6, 5}, {5, 6}};
-  polygons.rings = {{0, 3, false}, {3, 3, true}, {6, 3, false}};
-  const PolygonArrayPtr message =
-      toPolygonArray(header(), polygons, quarterTurn(), perception::FloorStatus::kHeld);
-  EXPECT_EQ(message->floor_status, FloorPlane::HELD);
-  ASSERT_EQ(message->polygons.size(), 2U);
-  ASSERT_EQ(message->polygons[0].boundary.points.size(), 3U);
-  EXPECT_FLOAT_EQ(message->polygons[0].boundary.points[1].x, 2.0F);
-  EXPECT_FLOAT_EQ(message->polygons[0].boundary.points[1].y, 4.0F);
-  ASSERT_EQ(message->polygons[0].holes.size(), 1U);
-  EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].x, 0.5F);
-  EXPECT_FLOAT_EQ(message->polygons[0].holes[0].points[1].y, 2.0F);
-  EXPECT_TRUE(message->polygons[1].holes.empty());
-  EXPECT_TRUE(toPolygonArray(header(), polygons, quarterTurn(), perception::FloorStatus::kNotFound)
-                  ->polygons.empty());
-}
-
 TEST(MessageConversions, ObstaclePointsKeepTheirHeight)
 {
   const auto cloud = toObstaclePoints(header(), {{1.0F, 0.0F, 0.25F}, {0.0F, 1.0F, 0.5F}}, quarterTurn());

@@ -78,6 +78,8 @@ class TransformsTest(unittest.TestCase):
             self.assertTrue(scene.inside(corner, ring), (corner, ring))
         for corner in [(1.3, -0.1), (1.9, 0.65), (1.9, -0.9)]:
             self.assertFalse(scene.inside(corner, ring), (corner, ring))
+        extent = [(np.array([p.x, p.y]) - shift) @ turn for p in answer['polygons'].extent.points]
+        np.testing.assert_allclose(extent, [(0.0, -2.5), (5.0, -2.5), (5.0, 2.5), (0.0, 2.5)], atol=1e-4)
         outline = next(m for m in answer['markers'].markers if m.ns == 'polygons/outline')
         self.assertEqual(outline.header.frame_id, 'odom')
         self.assertAlmostEqual(outline.points[0].x, polygon.boundary.points[0].x, places=4)

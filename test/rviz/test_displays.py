@@ -40,6 +40,10 @@ def is_blue(pixels):
     return (pixels[..., 2] > 50) & (pixels[..., 1] < 20) & (pixels[..., 0] < 20)
 
 
+def is_grey(pixels):
+    return (pixels[..., 0] > 40) & (pixels.max(-1) - pixels.min(-1) < 10)
+
+
 def box_of(mask):
     """First and last column and row of a mask; None where it is empty."""
     rows, columns = np.any(mask, axis=1).nonzero()[0], np.any(mask, axis=0).nonzero()[0]
@@ -92,8 +96,8 @@ class DisplaysTest(unittest.TestCase):
             pixels = screens[-1]
             raise AssertionError('%s; red in %s, blue in %s' % (error, box_of(is_red(pixels)), box_of(is_blue(pixels))))
 
-    def show_polygons(self, polygons, condition, what, status=FloorPlane.FOUND):
-        array = PolygonArray(header=Header(frame_id='map'), floor_status=status, polygons=polygons)
+    def show_polygons(self, polygons, condition, what, status=FloorPlane.FOUND, extent=()):
+        array = PolygonArray(header=Header(frame_id='map'), floor_status=status, polygons=polygons, extent=ring(extent))
         return self.show(self.polygons, array, condition, what)
 
     def show_floor(self, condition, what, status=FloorPlane.FOUND, normal=(0.0, -1.0, 0.0)):
@@ -141,6 +145,33 @@ class DisplaysTest(unittest.TestCase):
         brightness = pixels[is_red(pixels)][:, 0].max()
         self.assertEqual(brightness, 255)
         self.show_polygons(square, lambda p: 60 < p[is_red(p)][:, 0].max(initial=0) < 150, 'paler pixels', FloorPlane.HELD)
+
+    def test_the_extent_is_outlined_and_goes_with_its_message(self):
+        extent = [(-3, -2.5), (3, -2.5), (3, 2.5), (-3, 2.5)]
+        polygons = [ObstaclePolygon(boundary=ring(L_SHAPE))]
+        without = self.show_polygons(polygons, lambda p: is_red(p).any(), 'red pixels')
+        left, right, top, bottom = box_of(is_red(without))
+        origin = (left + right) / 2.0, (top + bottom) / 2.0
+
+        def is_drawn(pixels, point):
+            """Whether something grey has come within 3 cm of a point."""
+            row, column = int(round(origin[1] - PIXELS * point[1])), int(round(origin[0] + PIXELS * point[0]))
+            around = slice(row - 3, row + 4), slice(column - 3, column + 4)
+            return bool((is_grey(pixels[around]) & ~is_grey(without[around])).any())
+
+        on_edges = [(0, -2.5), (3, 0), (0, 2.5), (-3, 0), (2.5, 2.5)]
+        pixels = self.show_polygons(polygons, lambda p: is_drawn(p, on_edges[0]), 'the extent', extent=extent)
+        for point in on_edges:
+            self.assertTrue(is_drawn(pixels, point), 'no line at %s' % (point,))
+        for point in [(1, 1), (2.5, 2), (-2.5, 0), (3.2, 0)]:
+            self.assertFalse(is_drawn(pixels, point), 'something at %s' % (point,))
+        self.show_polygons(polygons, lambda p: not any(is_drawn(p, point) for point in on_edges), 'the extent to go')
+
+    def test_an_extent_that_is_not_finite_is_not_drawn(self):
+        square = [ObstaclePolygon(boundary=ring(SQUARE))]
+        pixels = self.show_polygons(square, lambda p: is_red(p).any(), 'red pixels',
+                                    extent=[(-3, -2.5), (3, -2.5), (float('nan'), 2.5)])
+        self.assertAlmostEqual(is_red(pixels).sum() / float(PIXELS ** 2), 0.25, delta=0.02)
 
     def test_the_hull_of_the_floor_lies_where_the_camera_saw_it(self):
         marks = [ObstaclePolygon(boundary=ring(corners)) for corners in

@@ -8,17 +8,6 @@
 namespace polygonal_perception::displays {
 namespace {
 
-geometry_msgs::Polygon ring(const std::vector<Eigen::Vector2f>& corners)
-{
-  geometry_msgs::Polygon ring;
-  for (const Eigen::Vector2f& corner : corners) {
-    geometry_msgs::Point32& point = ring.points.emplace_back();
-    point.x = corner.x();
-    point.y = corner.y();
-  }
-  return ring;
-}
-
 /// In an optical frame, 1.5 m above the floor.
 FloorPlane levelFloor()
 {
@@ -34,36 +23,6 @@ FloorPlane levelFloor()
     point.z = corner.y();
   }
   return floor;
-}
-
-TEST(MessageGeometry, ABoundaryIsFollowedByItsHoles)
-{
-  ObstaclePolygon polygon;
-  polygon.boundary = ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
-  polygon.holes = {ring({{1, 1}, {1, 3}, {3, 3}})};
-  const std::optional<geometry::PolygonSet> polygons = toPolygonSet(polygon);
-  ASSERT_TRUE(polygons);
-  ASSERT_EQ(polygons->rings.size(), 2U);
-  EXPECT_FALSE(polygons->rings[0].hole);
-  EXPECT_TRUE(polygons->rings[1].hole);
-  EXPECT_EQ(polygons->rings[1].first, 4U);
-  EXPECT_EQ(polygons->rings[1].size, 3U);
-  EXPECT_EQ(polygons->vertices[6], Eigen::Vector2d(3, 3));
-}
-
-TEST(MessageGeometry, RingsThatCannotBeDrawnAreRefused)
-{
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  ObstaclePolygon polygon;
-  EXPECT_FALSE(toPolygonSet(polygon)) << "no vertex";
-  polygon.boundary = ring({{0, 0}, {4, 0}});
-  EXPECT_FALSE(toPolygonSet(polygon)) << "two vertices";
-  polygon.boundary = ring({{0, 0}, {4, 0}, {4, nan}});
-  EXPECT_FALSE(toPolygonSet(polygon)) << "not finite";
-  polygon.boundary = ring({{0, 0}, {4, 0}, {4, 4}});
-  EXPECT_TRUE(toPolygonSet(polygon));
-  polygon.holes = {ring({{1, 1}})};
-  EXPECT_FALSE(toPolygonSet(polygon)) << "a hole of one vertex";
 }
 
 TEST(MessageGeometry, AFloorNeedsAUnitNormalAndFiniteNumbers)

@@ -65,13 +65,14 @@ TEST(MessageStatus, APlaneThatCannotBeDrawnIsAnError)
 TEST(MessageStatus, PolygonsHolesAndVerticesAreCounted)
 {
   PolygonArray array;
-  expectStatus(polygonStatus(array, 0), StatusProperty::Ok, "0 polygons, 0 holes, 0 vertices");
+  expectStatus(polygonStatus(array, 0, ""), StatusProperty::Ok, "0 polygons, 0 holes, 0 vertices");
   array.polygons.resize(1);
   array.polygons[0].boundary.points.resize(4);
   array.polygons[0].holes.resize(2);
   array.polygons[0].holes[1].points.resize(3);
-  expectStatus(polygonStatus(array, 0), StatusProperty::Ok, "1 polygon, 2 holes, 7 vertices");
-  expectStatus(polygonStatus(array, 1), StatusProperty::Error, "1 polygon left out");
+  expectStatus(polygonStatus(array, 0, ""), StatusProperty::Ok, "1 polygon, 2 holes, 7 vertices");
+  expectStatus(polygonStatus(array, 1, "hole 0 is bad"), StatusProperty::Error,
+               "1 polygon left out: hole 0 is bad");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygonal_perception/geometry/ring_view.hpp"
+
 namespace polygonal_perception::simulation {
 namespace {
 
@@ -72,7 +74,8 @@ void addWalls(Scene& scene, const Rectangle& area, double height, const RoomWall
   const Outline corners = area.outline();
   const Assembly world(scene.solids);
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!walls.missing[i]) addWall(world, corners[i], corners[(i + 1) % 4], height, walls.openings[i]);
+    const auto [from, to] = geometry::RingView(corners).edge(i);
+    if (!walls.missing[i]) addWall(world, from, to, height, walls.openings[i]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "cameras/simulation/room.hpp"
 #include "cameras/simulation/route.hpp"
 #include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/geometry/ring_view.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
@@ -36,7 +37,8 @@ Rectangle shrunk(const Rectangle& area, double by)
 void furnishAllWalls(Scene& scene, Random& random, const Rectangle& room, double density)
 {
   const Outline corners = room.outline();
-  for (std::size_t i = 0; i < 4; ++i) furnishWall(scene, random, corners[i], corners[(i + 1) % 4], density);
+  for (const auto [from, to] : geometry::RingView(corners).edges())
+    furnishWall(scene, random, from, to, density);
 }
 
 ViewArea everywhere(const Rectangle& room)
@@ -76,13 +78,12 @@ void layOutOffice(Scene& scene, Random& random)
   const Outline corners = room.outline();
   Clearances clearances;
   // Desks stand along two walls or in the middle, the other walls carry cupboards.
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector2d& from = corners[i];
-    const Eigen::Vector2d way = corners[(i + 1) % 4] - from;
+  for (const auto [from, to] : geometry::RingView(corners).edges()) {
+    const Eigen::Vector2d way = to - from;
     const Eigen::Vector2d along = way.normalized();
     const Eigen::Vector2d inwards(-along.y(), along.x());
     if (!random.chance(0.5)) {
-      furnishWall(scene, random, from, corners[(i + 1) % 4], random.uniform(0.3, 0.9));
+      furnishWall(scene, random, from, to, random.uniform(0.3, 0.9));
       continue;
     }
     for (double done = random.uniform(1.2, 1.8); done + 1.8 < way.norm(); done += random.uniform(2.0, 3.0)) {

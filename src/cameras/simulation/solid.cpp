@@ -1,7 +1,10 @@
 #include "polygonal_perception/cameras/simulation/solid.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "polygonal_perception/geometry/convex_hull.hpp"
+#include "polygonal_perception/geometry/distance.hpp"
+#include "polygonal_perception/geometry/location.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
@@ -9,11 +12,6 @@ namespace {
 constexpr double kTwoPi = 6.283185307179586;
 constexpr std::uint32_t kSides = 14;
 constexpr std::uint32_t kRings = 8;
-
-double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
 
 }  // namespace
 
@@ -95,25 +93,6 @@ Solid makeLevelRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high
   return rectangle;
 }
 
-Outline convexHull(std::vector<Eigen::Vector2d> points)
-{
-  const auto before = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  };
-  std::sort(points.begin(), points.end(), before);
-  // Andrew's monotone chain: the lower side from left to right, then the upper side back.
-  Outline hull;
-  const auto chain = [&hull](const Eigen::Vector2d& p, std::size_t start) {
-    while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const Eigen::Vector2d& p : points) chain(p, 0);
-  const std::size_t upper = hull.empty() ? 0 : hull.size() - 1;
-  for (auto p = points.rbegin(); p != points.rend(); ++p) chain(*p, upper);
-  if (!hull.empty()) hull.pop_back();
-  return hull;
-}
-
 Outline footprint(const Solid& solid, double min_height, double max_height)
 {
   std::vector<Eigen::Vector2d> points;
@@ -131,22 +110,13 @@ Outline footprint(const Solid& solid, double min_height, double max_height)
       }
     }
   }
-  return convexHull(std::move(points));
+  return geometry::convexHull(std::move(points));
 }
 
 double distanceTo(const Outline& outline, const Eigen::Vector2d& point)
 {
-  bool inside = outline.size() >= 3;
-  double squared = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Eigen::Vector2d& a = outline[i];
-    const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-    if (cross(a, b, point) < 0.0) inside = false;
-    const Eigen::Vector2d ab = b - a;
-    const double t = ab.squaredNorm() > 0.0 ? (point - a).dot(ab) / ab.squaredNorm() : 0.0;
-    squared = std::min(squared, (a + std::max(0.0, std::min(1.0, t)) * ab - point).squaredNorm());
-  }
-  return inside ? 0.0 : std::sqrt(squared);
+  const bool outside = geometry::locate(point, geometry::RingView(outline)) == geometry::Location::kOutside;
+  return outside ? geometry::distanceToBoundary(point, geometry::RingView(outline)) : 0.0;
 }
 
 }  // namespace polygonal_perception::simulation

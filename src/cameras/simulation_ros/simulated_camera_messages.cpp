@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/ros/common/polygon_messages.hpp"
 
 namespace polygonal_perception::simulation_ros {
 namespace {
@@ -121,14 +122,7 @@ PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const 
   polygons.floor_status = FloorPlane::FOUND;
   polygons.polygons.reserve(outlines.size());
   for (const simulation::Outline& outline : outlines) {
-    ObstaclePolygon polygon;
-    for (const Eigen::Vector2d& vertex : outline) {
-      geometry_msgs::Point32 point;
-      point.x = static_cast<float>(vertex.x());
-      point.y = static_cast<float>(vertex.y());
-      polygon.boundary.points.push_back(point);
-    }
-    polygons.polygons.push_back(std::move(polygon));
+    polygons.polygons.emplace_back().boundary = ros_common::toPolygon(outline);
   }
   return polygons;
 }

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygonal_perception/geometry/measures.hpp"
+
 namespace polygonal_perception::perception {
 
 namespace {
 
-constexpr std::size_t kLeast = 3;
+using geometry::cross;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
+constexpr std::size_t kLeast = 3;
 
 /// The directions of the lines from a point that pass all points after it within the tolerance.
 class Sector

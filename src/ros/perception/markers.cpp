@@ -78,9 +78,9 @@ void appendPolygonMarkers(const std_msgs::Header& header, const geometry::Polygo
   outline.scale.x = kLineWidth;
   outline.color = color(0.9F, 0.3F, 0.1F, 1.0F);
   for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-      outline.points.push_back(place(polygons.vertices[ring.first + i], kLineHeight));
-      outline.points.push_back(place(polygons.vertices[ring.first + (i + 1) % ring.size], kLineHeight));
+    for (const auto [from, to] : polygons.view(ring).edges()) {
+      outline.points.push_back(place(from, kLineHeight));
+      outline.points.push_back(place(to, kLineHeight));
     }
   }
   deleteIfEmpty(outline);

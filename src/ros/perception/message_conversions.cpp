@@ -80,28 +80,4 @@ nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const
   return message;
 }
 
-PolygonArrayPtr toPolygonArray(const std_msgs::Header& header, const geometry::PolygonSet& polygons,
-                               const Eigen::Isometry2d& output_pose, perception::FloorStatus floor_status)
-{
-  auto message = boost::make_shared<PolygonArray>();
-  message->header = header;
-  message->floor_status = static_cast<std::uint8_t>(floor_status);
-  if (floor_status == perception::FloorStatus::kNotFound) return message;
-  for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
-    geometry_msgs::Polygon* polygon = nullptr;
-    if (ring.hole) {
-      polygon = &message->polygons.back().holes.emplace_back();
-    } else {
-      polygon = &message->polygons.emplace_back().boundary;
-    }
-    polygon->points.resize(ring.size);
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-      const Eigen::Vector2f vertex = (output_pose * polygons.vertices[ring.first + i]).cast<float>();
-      polygon->points[i].x = vertex.x();
-      polygon->points[i].y = vertex.y();
-    }
-  }
-  return message;
-}
-
 }  // namespace polygonal_perception::ros_perception

@@ -3,13 +3,11 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <pcl_msgs/ModelCoefficients.h>
 #include <polygonal_perception/FloorPlane.h>
-#include <polygonal_perception/PolygonArray.h>
 #include <std_msgs/Header.h>
 
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "polygonal_perception/geometry/polygon_set.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 
@@ -37,10 +35,5 @@ nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const
 nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
                                          const perception::GridGeometry& geometry,
                                          const Eigen::Isometry2d& output_pose);
-
-/// @param header       stamp of the input, output frame
-/// @param output_pose  of the floor frame in the output frame
-PolygonArrayPtr toPolygonArray(const std_msgs::Header& header, const geometry::PolygonSet& polygons,
-                               const Eigen::Isometry2d& output_pose, perception::FloorStatus floor_status);
 
 }  // namespace polygonal_perception::ros_perception

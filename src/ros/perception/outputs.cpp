@@ -2,6 +2,7 @@
 
 #include <boost/make_shared.hpp>
 
+#include "polygonal_perception/ros/common/polygon_messages.hpp"
 #include "ros/perception/markers.hpp"
 #include "ros/perception/message_conversions.hpp"
 #include "ros/perception/obstacle_points.hpp"
@@ -53,8 +54,10 @@ nav_msgs::OccupancyGridPtr inflatedGrid(const FrameResult& frame)
 PolygonArrayPtr polygons(const FrameResult& frame)
 {
   if (!canTell(frame, Product::kPolygons)) return nullptr;
-  return toPolygonArray(frame.outputHeader(), frame.result.polygons, frame.output->pose,
-                        frame.result.floor.status);
+  const ros_common::PolygonContext context{frame.outputHeader(),
+                                           static_cast<std::uint8_t>(frame.result.floor.status),
+                                           frame.robot_radius, frame.result.occupancy.geometry().bounds()};
+  return ros_common::toPolygonArray(context, frame.result.polygons, frame.output->pose);
 }
 
 visualization_msgs::MarkerArrayPtr markers(const FrameResult& frame)

@@ -42,10 +42,8 @@ POLYGONAL_PERCEPTION_EXPORT Solid makeEllipsoid(const Eigen::Isometry3d& pose, c
 POLYGONAL_PERCEPTION_EXPORT Solid makeLevelRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high,
                                                      double z);
 
-/// The smallest convex polygon around points, counter-clockwise; fewer than 3 vertices where they lie on a
-/// line.
-POLYGONAL_PERCEPTION_EXPORT Outline convexHull(std::vector<Eigen::Vector2d> points);
-/// The exact footprint of the part of a solid between two heights [m]; empty where it has none.
+/// The exact footprint of the part of a solid between two heights [m], fewer than 3 vertices where it is a
+/// line; empty where it has none.
 POLYGONAL_PERCEPTION_EXPORT Outline footprint(const Solid& solid, double min_height, double max_height);
 /// The distance of a point from a convex polygon [m], 0 inside.
 POLYGONAL_PERCEPTION_EXPORT double distanceTo(const Outline& outline, const Eigen::Vector2d& point);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,12 @@ struct POLYGONAL_PERCEPTION_EXPORT GridGeometry
   explicit GridGeometry(const GridParameters& parameters);
 
   std::size_t size() const { return static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y); }
+  /// The rectangle of all cells in the floor frame [m].
+  Eigen::AlignedBox2d bounds() const
+  {
+    const Eigen::Vector2d low(origin_x, origin_y);
+    return {low, low + resolution * Eigen::Vector2d(cells_x, cells_y)};
+  }
   bool operator==(const GridGeometry& other) const
   {
     return cells_x == other.cells_x && cells_y == other.cells_y && resolution == other.resolution &&

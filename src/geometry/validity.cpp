@@ -1,0 +1,64 @@
+#include "polygonal_perception/geometry/validity.hpp"
+
+#include <algorithm>
+
+#include "geometry/invalidity.hpp"
+#include "geometry/ring_contacts.hpp"
+#include "geometry/ring_nesting.hpp"
+#include "polygonal_perception/geometry/predicates.hpp"
+
+namespace polygonal_perception::geometry {
+
+namespace {
+
+std::optional<Invalidity> findBadVertex(const RingView& ring, std::size_t r)
+{
+  if (ring.size() < 3) {
+    return invalidity(Defect::kTooFewVertices, r, ring.empty() ? Eigen::Vector2d::Zero() : ring[0],
+                      "has only " + std::to_string(ring.size()) + " vertices");
+  }
+  for (const Eigen::Vector2d& vertex : ring) {
+    if (!vertex.allFinite()) return invalidity(Defect::kNotFinite, r, vertex, "is not finite");
+  }
+  for (const auto [from, to] : ring.edges()) {
+    if (from == to) return invalidity(Defect::kRepeatedVertex, r, from, "repeats a vertex");
+  }
+  return std::nullopt;
+}
+
+/// A simple ring turns at its lowest leftmost vertex as it runs as a whole.
+Orientation orientationOf(const RingView& ring)
+{
+  const auto* lowest =
+      std::min_element(ring.begin(), ring.end(), [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+        return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+      });
+  const auto k = static_cast<std::size_t>(lowest - ring.begin());
+  return orientation(ring[ring.previous(k)], *lowest, ring[ring.next(k)]);
+}
+
+std::optional<Invalidity> findWrongOrientation(const PolygonSet& polygons)
+{
+  for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
+    const RingView ring = polygons.view(polygons.rings[r]);
+    const bool hole = polygons.rings[r].hole;
+    if ((orientationOf(ring) == Orientation::kClockwise) == hole) continue;
+    return invalidity(Defect::kWrongOrientation, r, ring[0],
+                      hole ? "is a hole and runs counter-clockwise" : "is a boundary and runs clockwise");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Invalidity> findDefect(const PolygonSet& polygons)
+{
+  for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
+    if (auto found = findBadVertex(polygons.view(polygons.rings[r]), r)) return found;
+  }
+  if (auto found = findContact(polygons)) return found;
+  if (auto found = findWrongOrientation(polygons)) return found;
+  return findWrongNesting(polygons);
+}
+
+}  // namespace polygonal_perception::geometry
