@@ -153,7 +153,7 @@ TEST(OutlineTracer, ForgetsTheLastGrid)
 {
   OutlineTracer tracer;
   Outlines outlines;
-  tracer.trace(test::bitsFromText({"#.#"}), outlines);
+  tracer.trace(test::bitsFromText({"###"}), outlines);
   tracer.trace(test::bitsFromText({"###", "#.#", "###"}), outlines);
   ASSERT_EQ(outlines.rings.size(), 2U);
   EXPECT_EQ(outlines.vertices.size(), 8U);
