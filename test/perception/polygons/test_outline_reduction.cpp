@@ -36,7 +36,7 @@ public:
   std::uint32_t vertexAt(LatticePoint point) const
   {
     std::uint32_t v = 0;
-    while (outlines.vertices[v].next == Outlines::kNone || !(outlines.vertices[v].at == point)) ++v;
+    while (outlines.vertices.at(v).next == Outlines::kNone || !(outlines.vertices[v].at == point)) ++v;
     return v;
   }
   std::int64_t costAt(LatticePoint point) const { return reduction.cost(vertexAt(point)); }
@@ -83,12 +83,18 @@ TEST(OutlineReduction, AStraightVertexCostsNothing)
   EXPECT_EQ(cornersOf(reduced.outlines, 0), inCells({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
 }
 
+TEST(OutlineReduction, AStraightVertexCostsNothingBesideAnInnerCornerToo)
+{
+  const Corners drawn = {{0, 0}, {128, 0}, {128, 64}, {96, 64}, kInner, {64, 128}, {0, 128}};
+  EXPECT_EQ(Reduced(kL, kFar, test::outlinesThrough({drawn})).costAt({96, 64}), 0);
+}
+
 TEST(OutlineReduction, CutsNothingOffThatAnotherRingStandsIn)
 {
   Reduced alone({"#...", "#...", "#...", "####"}, kFar);
   EXPECT_TRUE(alone.removeAt(kInner));
   Reduced beside({"#...", "#.#.", "#...", "####"}, kFar);
-  EXPECT_FALSE(beside.removeAt(kInner));
+  ASSERT_FALSE(beside.removeAt(kInner));
   EXPECT_EQ(beside.outlines.rings[0].size, 6U);
   EXPECT_EQ(beside.costAt(kInner), OutlineReduction::kNever) << "until something changes beside it";
 }
@@ -112,9 +118,12 @@ TEST(OutlineReduction, AnEdgeBetweenOuterCornersCostsWhatItsNeighboursEnclose)
 
 TEST(OutlineReduction, ExtendsTheNeighboursOfAnEdgeUntilTheyMeet)
 {
-  Reduced reduced(kThree, kFar, test::outlinesThrough({kBevelled}));
+  Reduced reduced(std::vector<std::string>(4, "####"), kFar, test::outlinesThrough({kBevelled}));
   EXPECT_TRUE(reduced.removeAt({192, 128}));
-  EXPECT_EQ(cornersOf(reduced.outlines, 0), inCells({{0, 0}, {3, 0}, {3, 3}, {0, 3}}));
+  const Corners square = inCells({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
+  EXPECT_EQ(cornersOf(reduced.outlines, 0), square);
+  for (const LatticePoint corner : square)
+    EXPECT_EQ(reduced.costAt(corner), OutlineReduction::kNever) << testing::PrintToString(corner);
 }
 
 TEST(OutlineReduction, NeighboursThatNeverMeetStay)
@@ -135,6 +144,14 @@ TEST(OutlineReduction, ExtendsNothingBeyondTheGrid)
   Reduced at_border(kThree, kFar, test::outlinesThrough({pointed}));
   EXPECT_FALSE(at_border.removeAt({192, 64}));
   EXPECT_EQ(cornersOf(at_border.outlines, 0), pointed);
+}
+
+TEST(OutlineReduction, RoundsNoMeetingOverTheGridsBorder)
+{
+  // The sides beside x = 190 meet in (192.5, 64.5).
+  const Corners drawn = {{0, 0}, {128, 0}, {190, 62}, {190, 67}, {128, 129}, {0, 129}};
+  EXPECT_TRUE(Reduced({"####", "####", "####"}, kFar, test::outlinesThrough({drawn})).removeAt({190, 62}));
+  EXPECT_FALSE(Reduced(kThree, kFar, test::outlinesThrough({drawn})).removeAt({190, 62}));
 }
 
 TEST(OutlineReduction, ExtendsNothingBeyondTheLimit)
@@ -177,11 +194,14 @@ TEST(OutlineReduction, WhereTheMeetingIsOffTheLatticeNoCornerIsLeftOutside)
 TEST(OutlineReduction, AStepChangesTheCostsBesideIt)
 {
   Reduced reduced(kL, kFar);
-  const LatticePoint beside{128, 64};
-  EXPECT_EQ(reduced.costAt(beside), OutlineReduction::kNever) << "its edge ends in an inner corner";
+  // The ends of the edges beside the inner corner, and those before and behind the bevel that it becomes.
+  const Corners beside = {{128, 0}, {128, 64}, {64, 128}};
+  for (const LatticePoint corner : beside)
+    EXPECT_EQ(reduced.costAt(corner), OutlineReduction::kNever) << testing::PrintToString(corner);
   ASSERT_TRUE(reduced.removeAt(kInner));
-  EXPECT_EQ(reduced.costAt(beside), 64 * 64) << "its edge is a bevel";
-  ASSERT_TRUE(reduced.removeAt(beside));
+  for (const LatticePoint corner : beside)
+    EXPECT_EQ(reduced.costAt(corner), 64 * 64) << testing::PrintToString(corner);
+  ASSERT_TRUE(reduced.removeAt(beside[1]));
   EXPECT_EQ(cornersOf(reduced.outlines, 0), inCells({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
 }
 

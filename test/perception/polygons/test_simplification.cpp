@@ -119,7 +119,7 @@ TEST(Simplification, CountsTheVerticesOfHolesThatAreGivenUp)
 {
   // With the hole gone there are few enough, and the dear notch on the upper side stays.
   const std::vector<std::string> cells = {"##..##", "##..##", "##..##", "######", "#.####", "######"};
-  const Outlines outlines = simplified(cells, 0.5, 8);
+  const Outlines outlines = simplified(cells, 0.7, 8);
   EXPECT_EQ(outlines.rings[1].size, 0U);
   EXPECT_EQ(outlines.rings[0].size, 8U);
 }
