@@ -51,6 +51,11 @@ TEST(VertexEstimate, ALineMayPassCornersOnEitherSide)
   const Corners swinging = {{0, 0}, {160, -32}, {320, 32}, {480, -32}, {640, 0}, {640, 640}, {0, 640}};
   EXPECT_EQ(estimate(swinging, 0.85), 4U);
   EXPECT_EQ(estimate(swinging, 0.05), 7U);
+  // To the left as to the right.
+  Corners mirrored = swinging;
+  for (LatticePoint& corner : mirrored) corner.y = -corner.y;
+  for (int n = 0; n < 20; ++n)
+    EXPECT_EQ(estimate(mirrored, 0.05 * n), estimate(swinging, 0.05 * n)) << "tolerance " << 0.05 * n;
 }
 
 TEST(VertexEstimate, TheStepsOfASlantedOutlineAreOneLine)
