@@ -26,6 +26,7 @@ const Layout kLayouts[] = {
     {"cloud of 12 bytes", PointLayout::kCloud, {0, 12, 0, 4, 8}, 0, 0},
     {"cloud with colours", PointLayout::kCloud, {0, 32, 0, 4, 8}, 1, 0},
     {"cloud with z first", PointLayout::kCloud, {0, 21, 8, 15, 1}, 0, 5},
+    {"cloud with y last", PointLayout::kCloud, {0, 18, 1, 13, 9}, 2, 0},
     {"millimetres", PointLayout::kDepthMillimetres, {}, 0, 0},
     {"millimetres, not aligned, rows apart", PointLayout::kDepthMillimetres, {}, 1, 3},
     {"metres", PointLayout::kDepthMetres, {}, 0, 0},
@@ -139,6 +140,26 @@ TEST_P(CellScanning, GivesEveryPixelItsCellInAnyWidthAndLayout)
         ASSERT_EQ(cellsOfRow(scanner, v, width), expected)
             << layout.name << ", width " << width << ", row " << v;
       }
+    }
+  }
+}
+
+TEST_P(CellScanning, APixelsColumnCountsInItsHeightToo)
+{
+  // Heights that grow along the row: only the last pixel is high enough.
+  for (const Layout& layout : kLayouts) {
+    for (const std::uint32_t width : {64U, 65U, 95U}) {
+      const NumberedFrame frame(layout, width, [](std::uint32_t, std::uint32_t) { return true; });
+      const PointView view = frame.view();
+      CellTransform transform = frame.transform();
+      transform.height = {1.0F, 0.0F, 0.0F};
+      transform.lowest = static_cast<float>(width - 1);
+      transform.highest = static_cast<float>(width);
+      CellScanner scanner(kernel());
+      scanner.begin(view, transform);
+      std::vector<std::uint32_t> expected(width, 0);
+      expected.back() = width;
+      EXPECT_EQ(cellsOfRow(scanner, 0, width), expected) << layout.name << ", width " << width;
     }
   }
 }
