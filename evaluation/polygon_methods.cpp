@@ -4,7 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "perception/grid/bit_grid.hpp"
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outline_tracer.hpp"
+#include "perception/polygons/outlines.hpp"
 #include "polygonal_perception/geometry/measures.hpp"
 #include "polygonal_perception/perception/grid/inflation.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"

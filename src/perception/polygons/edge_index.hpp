@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "perception/polygons/lattice.hpp"
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outlines.hpp"
 
 namespace polygonal_perception::perception {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "perception/polygons/edge_index.hpp"
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outlines.hpp"
 #include "perception/polygons/proximity.hpp"
 
 namespace polygonal_perception::perception {

@@ -6,7 +6,8 @@
 
 #include "perception/grid/bit_grid.hpp"
 #include "perception/polygons/closing.hpp"
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outline_tracer.hpp"
+#include "perception/polygons/outlines.hpp"
 #include "perception/polygons/proximity.hpp"
 #include "perception/polygons/simplification.hpp"
 #include "perception/polygons/staircase_bridging.hpp"

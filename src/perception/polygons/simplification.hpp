@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "perception/polygons/outline.hpp"
 #include "perception/polygons/outline_reduction.hpp"
+#include "perception/polygons/outlines.hpp"
 #include "perception/polygons/proximity.hpp"
 
 namespace polygonal_perception::perception {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "perception/grid/bit_grid.hpp"
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outlines.hpp"
 #include "perception/polygons/proximity.hpp"
 
 namespace polygonal_perception::perception {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outlines.hpp"
 
 namespace polygonal_perception::perception {
 

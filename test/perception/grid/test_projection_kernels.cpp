@@ -2,25 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "perception/grid/projection_kernel.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
+#include "support/every_kernel.hpp"
 #include "support/projection_scene.hpp"
 #include "support/random_frame.hpp"
 #include "support/reference_projection.hpp"
 
 namespace polygonal_perception::perception {
 
-void PrintTo(const ProjectionKernel& kernel, std::ostream* out)
-{
-  *out << kernel.name;
-}
-
 namespace {
+
+using test::EveryKernel;
 
 Eigen::Isometry3d randomTransform(std::mt19937& random)
 {
@@ -42,11 +40,6 @@ GridParameters randomGrid(std::mt19937& random)
   return grid;
 }
 
-/// Each of the kernels that this processor can run.
-class EveryKernel : public testing::TestWithParam<ProjectionKernel>
-{
-};
-
 TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
 {
   std::mt19937 random(20201024);
@@ -59,7 +52,7 @@ TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
     parameters.min_points_per_cell = std::uniform_int_distribution<>(1, 3)(random);
 
     BinaryGrid grid(geometry);
-    Projection(parameters, GetParam()).project(frame.view(), to_floor, grid);
+    Projection(parameters, kernel()).project(frame.view(), to_floor, grid);
     const BinaryGrid expected =
         test::ReferenceProjection(parameters, to_floor, geometry).project(frame.view());
     ASSERT_EQ(grid.cells(), expected.cells())
@@ -79,7 +72,7 @@ TEST_P(EveryKernel, CollectsThePointsThatStandInTheGrid)
     const Eigen::Isometry3d to_floor = randomTransform(random);
     const GridGeometry geometry(randomGrid(random));
     const Projection::Parameters parameters;
-    Projection(parameters, GetParam()).collect(view, to_floor, geometry, collected);
+    Projection(parameters, kernel()).collect(view, to_floor, geometry, collected);
 
     const test::ReferenceProjection reference(parameters, to_floor, geometry);
     std::vector<Eigen::Vector3f> expected;
@@ -122,18 +115,26 @@ TEST_P(EveryKernel, RoundsAsTheReferenceDoesWherePointsLieOnTheEdgesOfCells)
     for (const PointView& view :
          {PointView::points(cloud.data(), 160, 120), PointView::depth(depth.data(), 640, rays)}) {
       BinaryGrid grid(geometry);
-      Projection(parameters, GetParam()).project(view, to_floor, grid);
+      Projection(parameters, kernel()).project(view, to_floor, grid);
       ASSERT_EQ(grid.cells(), reference.project(view).cells()) << "trial " << trial;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, EveryKernel, testing::ValuesIn(projectionKernels()),
-                         [](const testing::TestParamInfo<ProjectionKernel>& kernel) {
-                           std::string name = kernel.param.name;
-                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Kernel, EveryKernel, testing::ValuesIn(test::kKernelNames), test::nameOfKernel);
+
+TEST(ProjectionKernels, EachIsTestedAndTheWidestIsTheLast)
+{
+  std::vector<std::string> names;
+  for (const ProjectionKernel& kernel : projectionKernels()) names.emplace_back(kernel.name);
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.front(), "baseline");
+  auto tested = std::begin(test::kKernelNames);
+  for (const std::string& name : names) {
+    tested = std::find(tested, std::end(test::kKernelNames), name);
+    EXPECT_NE(tested, std::end(test::kKernelNames)) << name << " in " << testing::PrintToString(names);
+  }
+}
 
 TEST(ReferenceProjection, AgreesWithDoublePrecisionAwayFromTheEdges)
 {

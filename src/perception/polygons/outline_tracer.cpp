@@ -1,4 +1,4 @@
-#include "perception/polygons/outline.hpp"
+#include "perception/polygons/outline_tracer.hpp"
 
 namespace polygonal_perception::perception {
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "perception/grid/bit_grid.hpp"
+#include "support/grid_from_text.hpp"
+
+namespace polygonal_perception::test {
+
+inline perception::BitGrid bitsOf(const perception::BinaryGrid& grid)
+{
+  perception::BitGrid bits;
+  bits.pack(grid);
+  return bits;
+}
+
+/// A bit grid as it is drawn, the topmost row first.
+inline perception::BitGrid bitsFromText(const std::vector<std::string>& lines)
+{
+  return bitsOf(gridFromText(lines));
+}
+
+/// Reads bit by bit, so that a test of pack() and unpack() leans on neither.
+inline std::vector<std::string> textFromBits(const perception::BitGrid& bits)
+{
+  std::vector<std::string> lines;
+  for (int j = bits.cellsY() - 1; j >= 0; --j) {
+    std::string line;
+    for (int i = 0; i < bits.cellsX(); ++i) line += bits.test(i, j) ? '#' : '.';
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Whether a bit is set that belongs to no cell: rows would run into each other.
+inline bool hasStrayBits(const perception::BitGrid& bits)
+{
+  for (int j = 0; j < bits.cellsY(); ++j) {
+    const auto end = static_cast<int>(bits.wordsPerRow()) * perception::BitGrid::kWordBits;
+    for (int i = bits.cellsX(); i < end; ++i) {
+      if (bits.test(i, j)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace polygonal_perception::test
