@@ -48,8 +48,8 @@ endfunction()
 # install_headers(<folder below include/polygonal_perception>...)
 function(install_headers)
   foreach(folder ${ARGN})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${PROJECT_NAME}/${folder}
-      DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${PROJECT_NAME}/${folder}/
+      DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION}/${folder})
   endforeach()
 endfunction()
 
