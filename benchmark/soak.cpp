@@ -161,9 +161,8 @@ public:
       return 1e3 *
              delays[std::min(delays.size() - 1, static_cast<std::size_t>(share * double(delays.size())))];
     };
-    std::printf("latency: median %.2f ms, 99 %% %.2f ms, 99.9 %% %.2f ms, longest %.2f ms\n",
-                reference::quantile(0.5), reference::quantile(0.99), reference::quantile(0.999),
-                1e3 * delays.back());
+    std::printf("latency: median %.2f ms, 99 %% %.2f ms, 99.9 %% %.2f ms, longest %.2f ms\n", quantile(0.5),
+                quantile(0.99), quantile(0.999), 1e3 * delays.back());
     return twice == 0 && unasked_ == 0;
   }
 

@@ -33,8 +33,8 @@ std::optional<geometry::Plane> readFloor(const ptree& entry, bool& known)
 std::optional<std::string> findRecordedFrames()
 {
   const char* const folder = std::getenv("POLYGONAL_PERCEPTION_DATA");
-  const std::string path =
-      std::string(folder != nullptr ? folder : POLYGONAL_PERCEPTION_DEFAULT_DATA) + "/frames.json";
+  if (folder == nullptr) return std::nullopt;
+  const std::string path = std::string(folder) + "/frames.json";
   if (!std::ifstream(path)) return std::nullopt;
   return path;
 }

@@ -36,8 +36,7 @@ struct LoadedFrame
   }
 };
 
-/// Where recorded frames are looked for: $POLYGONAL_PERCEPTION_DATA, else ../shared/data beside the sources.
-/// @return the path of the frames.json there, or nothing where there is none
+/// @return the path of the frames.json in the folder POLYGONAL_PERCEPTION_DATA; nothing where that is not set or has none
 std::optional<std::string> findRecordedFrames();
 
 /// @throws std::runtime_error that says what cannot be read

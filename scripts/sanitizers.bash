@@ -5,7 +5,7 @@
 
 # use_sanitizers <list> <build folder>: for all programs that are started from here on.
 use_sanitizers() {
-  local sanitize=$1 build=$PWD/$2 runtime=
+  local sanitize=$1 build=$2 runtime=
   sanitizer_reports=$build/sanitizer_reports
   rm -rf "$sanitizer_reports"
   mkdir -p "$sanitizer_reports"

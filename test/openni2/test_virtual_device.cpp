@@ -39,6 +39,12 @@ public:
 
   void onNewFrame(openni::VideoStream& stream) override
   {
+    // A thread that comes late is told twice of one frame, and would wait here for the next, for ever where the
+    // stream is stopped. OpenNI cancels a thread that it has waited for in vain, and the unwinding destroys the
+    // stream, which is OpenNI's own class around this call, beside the thread that destroys it anyway.
+    openni::VideoStream* streams[] = {&stream};
+    int ready = 0;
+    if (openni::OpenNI::waitForAnyStream(streams, 1, &ready, openni::TIMEOUT_NONE) != STATUS_OK) return;
     openni::VideoFrameRef ref;
     if (stream.readFrame(&ref) != STATUS_OK) return;
     Frame frame{ref.getTimestamp(), ref.getVideoMode(), {}};
@@ -138,6 +144,7 @@ protected:
   }
   void TearDown() override
   {
+    depth_.removeNewFrameListener(&listener_);
     depth_.destroy();
     device_.close();
     openni::OpenNI::shutdown();

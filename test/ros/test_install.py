@@ -20,7 +20,13 @@ SOURCE = os.path.abspath(os.path.join(os.path.dirname(os.path.realpath(__file__)
 WORKSPACE_VARIABLES = ['CMAKE_PREFIX_PATH', 'LD_LIBRARY_PATH', 'PKG_CONFIG_PATH', 'PYTHONPATH', 'ROS_PACKAGE_PATH']
 
 
+def files_below(folder):
+    return sorted(os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names)
+
+
 class InstallTest(unittest.TestCase):
+    maxDiff = None
+
     @classmethod
     def setUpClass(cls):
         cls.build = rospy.get_param('~build_folder')
@@ -70,16 +76,30 @@ class InstallTest(unittest.TestCase):
 
     def test_files(self):
         self.assertEqual(self.run_installed('rospack', 'find', 'polygonal_perception').strip(), self.share)
-        headers = os.path.join(self.prefix, 'include')
-        for folder, target in [('include', headers), ('launch', self.share + '/launch'), ('config', self.share + '/config'),
-                               ('rviz', self.share + '/rviz'), ('msg', self.share + '/msg')]:
-            source = os.path.join(SOURCE, folder)
-            files = [os.path.relpath(os.path.join(at, name), source) for at, _, names in os.walk(source) for name in names]
-            self.assertTrue(files, folder)
-            missing = [name for name in files if not os.path.exists(os.path.join(target, name))]
+        for folder in ['launch', 'config', 'rviz', 'msg']:
+            source, target = os.path.join(SOURCE, folder), os.path.join(self.share, folder)
+            self.assertTrue(files_below(source), folder)
+            missing = [name for name in files_below(source) if not os.path.exists(os.path.join(target, name))]
             if folder == 'rviz':  # its plugin's sources may lie beside the view
                 missing = [name for name in missing if name.endswith('.rviz')]
             self.assertEqual(missing, [], folder)
+
+    def test_headers(self):
+        """Those of the rooms whose library was built, and what is generated for the messages; no other."""
+        headers = files_below(os.path.join(SOURCE, 'include', 'polygonal_perception'))
+        self.assertTrue(headers)
+        messages = [os.path.splitext(name)[0] + '.h' for name in files_below(os.path.join(SOURCE, 'msg'))]
+        self.assertEqual(files_below(os.path.join(self.prefix, 'include', 'polygonal_perception')),
+                         sorted([name for name in headers if self.is_built(os.path.dirname(name))] + messages))
+        self.assertEqual(os.listdir(os.path.join(self.prefix, 'include')), ['polygonal_perception'])
+
+    def is_built(self, folder):
+        """Whether the library is that has its public headers in a folder below include/polygonal_perception."""
+        if folder in ['', 'parameters']:  # headers are all that there is of them
+            return True
+        names = folder.split('/')
+        library = {'cameras': names[1:2], 'ros': names[:2]}.get(names[0], names[:1])
+        return os.path.exists(os.path.join(self.build, 'devel', 'lib', 'libpolygonal_perception_%s.so' % '_'.join(library)))
 
     def test_plugins(self):
         """Each library that a plugin description names is installed if it was built, and finds what it links with."""

@@ -53,7 +53,7 @@ public:
 
   int samplesX() const { return samples_x_; }
   int samplesY() const { return samples_y_; }
-  const Sample& at(int i, int j) const { return samples_[static_cast<std::size_t>(j * samples_x_ + i)]; }
+  const Sample& at(int i, int j) const { return samples_[static_cast<std::size_t>(j) * samples_x_ + i]; }
   /// Row by row, samplesX() a row.
   const std::vector<Sample>& samples() const { return samples_; }
 
