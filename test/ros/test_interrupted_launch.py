@@ -69,35 +69,63 @@ class Interrupted(Launched):
 
 
 class InterruptedLaunchTest(unittest.TestCase):
-    def interrupt(self):
-        """What was not clean about one launch, and the exit codes."""
-        with tempfile.TemporaryDirectory() as folder:
-            with Interrupted(folder, 'demo.launch', rviz='false', rate='10', respawn=self.respawn) as launch:
-                client = NodeClient(outputs=(), runs=False)
-                client.read('floor')
-                client.wait_for(lambda: client.answers or launch.process.poll() is not None, 'a floor', 2 * DEADLINE)
-                # As from a terminal: what roslaunch starts has a process group of its own, and is told by roslaunch.
-                code = launch.end()
-                client.close()
-            codes = launch.exit_codes()
-            problems = ['roslaunch ended with %d' % code] if code else []
-            problems += ['%s ended with %s' % item for item in codes.items() if item[1] != 0]
-            problems += ['there is a core file' for _ in launch.core_files()]
-            if len(codes) < 3:
-                problems.append('only %s started, expected a manager, a camera and the pipeline' % sorted(codes))
-            if problems:
-                print('%s\n%s' % ('; '.join(problems), launch.output()))
-            return problems, codes
+    def setUp(self):
+        self.args = {'respawn': 'true' if rospy.get_param('~respawn') else 'false'}
 
-    def test_all_that_was_started_ends_with_0(self):
-        self.respawn = 'true' if rospy.get_param('~respawn') else 'false'
+    @staticmethod
+    def wait_for_a_floor(launch):
+        client = NodeClient(outputs=(), runs=False)
+        client.read('floor')
+        client.wait_for(lambda: client.answers or launch.process.poll() is not None, 'a floor', 2 * DEADLINE)
+        client.close()
+
+    @staticmethod
+    def interrupt(launch, count):
+        """Ends a launch that has started so many processes, and returns what was not clean, and the exit codes."""
+        # As from a terminal: what roslaunch starts has a process group of its own, and is told by roslaunch.
+        code = launch.end()
+        codes = launch.exit_codes()
+        problems = ['roslaunch ended with %d' % code] if code else []
+        problems += ['%s ended with %s' % item for item in codes.items() if item[1] != 0]
+        problems += ['there is a core file' for _ in launch.core_files()]
+        if len(codes) != count:
+            problems.append('%s were started, expected %d' % (sorted(codes), count))
+        if problems:
+            print('%s\n%s' % ('; '.join(problems), launch.output()))
+        return problems, codes
+
+    def check(self, live, what):
         launches = rospy.get_param('~launches')
-        ends = [self.interrupt() for _ in range(launches)]
+        ends = []
+        for _ in range(launches):
+            with tempfile.TemporaryDirectory() as folder:
+                ends.append(live(folder))
         aborts = sum(-6 in codes.values() for _, codes in ends)
         bad = ['launch %d: %s' % (k, '; '.join(problems)) for k, (problems, _) in enumerate(ends) if problems]
-        summary = '%d of %d launches ended cleanly, in %d a process aborted' % (launches - len(bad), launches, aborts)
+        summary = '%s: %d of %d ended cleanly, in %d a process aborted' % (what, launches - len(bad), launches, aborts)
         print(summary)
         self.assertFalse(bad, '%s; expected exit code 0 of every process, saw\n%s' % (summary, '\n'.join(bad)))
+
+    def test_camera_and_pipeline_in_one_launch(self):
+        def live(folder):
+            with Interrupted(folder, 'demo.launch', rviz='false', rate='10', **self.args) as launch:
+                self.wait_for_a_floor(launch)
+                return self.interrupt(launch, 3)
+        self.check(live, 'one launch')
+
+    def test_the_camera_ends_before_the_pipeline(self):
+        """The pipeline's own launch is still there when the manager ends, as where a driver was started elsewhere."""
+        def live(folder):
+            other = os.path.join(folder, 'pipeline')
+            os.mkdir(other)
+            with Interrupted(folder, 'simulated_camera.launch', scene='office', trajectory='robotino', seed='1', rate='10',
+                             respawn='false') as camera, \
+                    Interrupted(other, 'polygonal_perception.launch', manager='camera_manager', **self.args) as pipeline:
+                self.wait_for_a_floor(pipeline)
+                problems, codes = self.interrupt(camera, 2)
+                more_problems, _ = self.interrupt(pipeline, 1)
+                return problems + more_problems, codes
+        self.check(live, "the camera's launch before the pipeline's")
 
 
 if __name__ == '__main__':
