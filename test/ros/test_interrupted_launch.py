@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Ctrl-C ends a launch file cleanly: with exit code 0 of roslaunch and of all that it started, and without a core file."""
+"""Launch files and their managers end cleanly: with exit code 0 of roslaunch and of all that it started, and without a core file."""
 import glob
 import os
 import re
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -15,15 +16,17 @@ import rostest
 from launched import Launched
 from node_client import DEADLINE, NodeClient
 
+MANAGER = 'camera_manager-1'  # as roslaunch numbers what it starts
+PROCESSES = 3  # the manager, a loader for the camera, one for the pipeline
 # roslaunch says only in its debug log how a process ended that ended by itself while it was about to be told to.
 LOGGING = '''{version: 1, disable_existing_loggers: false, formatters: {plain: {format: "%(message)s"}},
   handlers: {console: {class: logging.StreamHandler, formatter: plain}},
   root: {level: DEBUG, handlers: [console]}}
 '''
-STARTED = re.compile(r'process\[(\S+)\]: started with pid')
+STARTED = re.compile(r'process\[(\S+)\]: started with pid \[(\d+)\]')
 ENDED = [re.compile(r'process\[(\S+)\]: SIG(?:INT|TERM) killed with return value (-?\d+)'),
          re.compile(r'process\[(\S+)\]\.stop\(\): process has already returned (-?\d+)'),
-         re.compile(r'\[(\S+)\] process has died \[pid \d+, exit code (-?\d+)')]
+         re.compile(r'\[([^\s[]+)\] process has died \[pid \d+, exit code (-?\d+)')]
 
 
 class Interrupted(Launched):
@@ -55,13 +58,14 @@ class Interrupted(Launched):
         with open(self.path(), errors='replace') as file:
             return file.read()
 
+    def pids(self):
+        """Of what it started, by name."""
+        return {name: int(pid) for name, pid in STARTED.findall(self.output())}
+
     def exit_codes(self):
-        """Those of what it started, by name; None where roslaunch does not know."""
+        """(name, code) of what has ended."""
         output = self.output()
-        codes = dict.fromkeys(STARTED.findall(output))
-        for pattern in ENDED:
-            codes.update((name, int(code)) for name, code in pattern.findall(output))
-        return codes
+        return sorted({(name, int(code)) for pattern in ENDED for name, code in pattern.findall(output)})
 
     def core_files(self):
         """Where the kernel puts them into the process's folder."""
@@ -72,60 +76,46 @@ class InterruptedLaunchTest(unittest.TestCase):
     def setUp(self):
         self.args = {'respawn': 'true' if rospy.get_param('~respawn') else 'false'}
 
-    @staticmethod
-    def wait_for_a_floor(launch):
-        client = NodeClient(outputs=(), runs=False)
-        client.read('floor')
-        client.wait_for(lambda: client.answers or launch.process.poll() is not None, 'a floor', 2 * DEADLINE)
-        client.close()
-
-    @staticmethod
-    def interrupt(launch, count):
-        """Ends a launch that has started so many processes, and returns what was not clean, and the exit codes."""
-        # As from a terminal: what roslaunch starts has a process group of its own, and is told by roslaunch.
-        code = launch.end()
+    def live(self, folder, end_manager):
+        """Starts a camera and the pipeline in a manager, ends them, and returns what was not clean, and the exit codes."""
+        with Interrupted(folder, 'demo.launch', rviz='false', rate='10', **self.args) as launch:
+            client = NodeClient(outputs=(), runs=False)
+            client.read('floor')
+            client.wait_for(lambda: client.answers or launch.process.poll() is not None, 'a floor', 2 * DEADLINE)
+            client.close()
+            if end_manager:
+                os.kill(launch.pids()[MANAGER], signal.SIGINT)
+                client.wait_for(lambda: MANAGER in dict(launch.exit_codes()), 'the manager to end')
+            # As from a terminal: what roslaunch starts has a process group of its own, and is told by roslaunch.
+            code = launch.end()
         codes = launch.exit_codes()
         problems = ['roslaunch ended with %d' % code] if code else []
-        problems += ['%s ended with %s' % item for item in codes.items() if item[1] != 0]
+        problems += ['%s ended with %d' % item for item in codes if item[1] != 0]
         problems += ['there is a core file' for _ in launch.core_files()]
-        if len(codes) != count:
-            problems.append('%s were started, expected %d' % (sorted(codes), count))
+        if len(launch.pids()) != PROCESSES or set(launch.pids()) != set(dict(codes)):
+            problems.append('%s were started and %s ended, expected %d' % (sorted(launch.pids()), codes, PROCESSES))
         if problems:
             print('%s\n%s' % ('; '.join(problems), launch.output()))
         return problems, codes
 
-    def check(self, live, what):
+    def check(self, end_manager):
         launches = rospy.get_param('~launches')
         ends = []
         for _ in range(launches):
             with tempfile.TemporaryDirectory() as folder:
-                ends.append(live(folder))
-        aborts = sum(-6 in codes.values() for _, codes in ends)
+                ends.append(self.live(folder, end_manager))
+        aborts = sum(-signal.SIGABRT in [code for _, code in codes] for _, codes in ends)
         bad = ['launch %d: %s' % (k, '; '.join(problems)) for k, (problems, _) in enumerate(ends) if problems]
-        summary = '%s: %d of %d ended cleanly, in %d a process aborted' % (what, launches - len(bad), launches, aborts)
-        print(summary)
+        summary = '%d of %d launches ended cleanly, in %d a process aborted' % (launches - len(bad), launches, aborts)
+        print('%s: %s' % (self.id().split('.')[-1], summary))
         self.assertFalse(bad, '%s; expected exit code 0 of every process, saw\n%s' % (summary, '\n'.join(bad)))
 
-    def test_camera_and_pipeline_in_one_launch(self):
-        def live(folder):
-            with Interrupted(folder, 'demo.launch', rviz='false', rate='10', **self.args) as launch:
-                self.wait_for_a_floor(launch)
-                return self.interrupt(launch, 3)
-        self.check(live, 'one launch')
+    def test_ctrl_c(self):
+        self.check(end_manager=False)
 
-    def test_the_camera_ends_before_the_pipeline(self):
-        """The pipeline's own launch is still there when the manager ends, as where a driver was started elsewhere."""
-        def live(folder):
-            other = os.path.join(folder, 'pipeline')
-            os.mkdir(other)
-            with Interrupted(folder, 'simulated_camera.launch', scene='office', trajectory='robotino', seed='1', rate='10',
-                             respawn='false') as camera, \
-                    Interrupted(other, 'polygonal_perception.launch', manager='camera_manager', **self.args) as pipeline:
-                self.wait_for_a_floor(pipeline)
-                problems, codes = self.interrupt(camera, 2)
-                more_problems, _ = self.interrupt(pipeline, 1)
-                return problems + more_problems, codes
-        self.check(live, "the camera's launch before the pipeline's")
+    def test_the_manager_ends_before_its_loaders(self):
+        """As by rosnode kill, or where it belongs to a driver's launch file."""
+        self.check(end_manager=True)
 
 
 if __name__ == '__main__':
