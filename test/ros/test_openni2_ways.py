@@ -112,7 +112,7 @@ class OpenNI2WaysTest(unittest.TestCase):
             self.assertGreater(front, 3.0 - 0.3 - 0.12)
 
     def test_the_driver_dies_and_comes_back(self):
-        client, camera = self.launch(), scene.Camera()
+        client, camera = self.launch(respawn='true'), scene.Camera()
         self.check(self.ask(client, camera), camera)
         for _ in range(2):
             self.manager.crash()
