@@ -115,7 +115,8 @@ TEST(FloorRefinement, AStripIsTooNarrowForANormal)
     return refined(scene, kFloor);
   };
   EXPECT_TRUE(stripOf(0.5));
-  EXPECT_FALSE(stripOf(0.04));
+  EXPECT_FALSE(stripOf(0.06)) << "it has a normal, but an uncertain one";
+  EXPECT_FALSE(stripOf(0.04)) << "it has none";
 }
 
 TEST(FloorRefinement, NothingIsNone)
