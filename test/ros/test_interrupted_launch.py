@@ -12,11 +12,13 @@ import unittest
 
 import rospy
 import rostest
+from nodelet.srv import NodeletList
 
 from launched import Launched
 from node_client import DEADLINE, NodeClient
 
 MANAGER = 'camera_manager-1'  # as roslaunch numbers what it starts
+NODELETS = {'/simulated_camera', '/polygonal_perception'}
 PROCESSES = 3  # the manager, a loader for the camera, one for the pipeline
 # roslaunch says only in its debug log how a process ended that ended by itself while it was about to be told to.
 LOGGING = '''{version: 1, disable_existing_loggers: false, formatters: {plain: {format: "%(message)s"}},
@@ -74,18 +76,38 @@ class Interrupted(Launched):
 
 class InterruptedLaunchTest(unittest.TestCase):
     def setUp(self):
-        self.args = {'respawn': 'true' if rospy.get_param('~respawn') else 'false'}
+        self.respawn = rospy.get_param('~respawn')
 
-    def live(self, folder, end_manager):
+    @staticmethod
+    def all_is_loaded():
+        try:
+            return NODELETS <= set(rospy.ServiceProxy('/camera_manager/list', NodeletList)().nodelets)
+        except rospy.ServiceException:
+            return False
+
+    @staticmethod
+    def bonds():
+        """The programs that keep bonds with the manager. What a bond does in the end depends on the nodelets' names, too."""
+        publishers = dict(rospy.get_master().getSystemState()[2][0])
+        return publishers.get('/camera_manager/bond', [])
+
+    def live(self, folder, at_once, end_manager):
         """Starts a camera and the pipeline in a manager, ends them, and returns what was not clean, and the exit codes."""
-        with Interrupted(folder, 'demo.launch', rviz='false', rate='10', **self.args) as launch:
+        with Interrupted(folder, 'demo.launch', rviz='false', rate='10',
+                         respawn='true' if self.respawn else 'false') as launch:
             client = NodeClient(outputs=(), runs=False)
-            client.read('floor')
-            client.wait_for(lambda: client.answers or launch.process.poll() is not None, 'a floor', 2 * DEADLINE)
-            client.close()
+            if at_once:
+                client.wait_for(self.all_is_loaded, 'the nodelets in their manager', 2 * DEADLINE)
+            else:
+                client.read('floor')
+                client.wait_for(lambda: client.answers, 'a floor', 2 * DEADLINE)
+            bonds = self.bonds()
             if end_manager:
                 os.kill(launch.pids()[MANAGER], signal.SIGINT)
                 client.wait_for(lambda: MANAGER in dict(launch.exit_codes()), 'the manager to end')
+                if self.respawn:
+                    client.wait_for(self.all_is_loaded, 'the nodelets to come back', 2 * DEADLINE)
+            client.close()
             # As from a terminal: what roslaunch starts has a process group of its own, and is told by roslaunch.
             code = launch.end()
         codes = launch.exit_codes()
@@ -94,28 +116,33 @@ class InterruptedLaunchTest(unittest.TestCase):
         problems += ['there is a core file' for _ in launch.core_files()]
         if len(launch.pids()) != PROCESSES or set(launch.pids()) != set(dict(codes)):
             problems.append('%s were started and %s ended, expected %d' % (sorted(launch.pids()), codes, PROCESSES))
+        if bool(bonds) != self.respawn:
+            problems.append('there are bonds of %s, expected %s' % (bonds or 'none', 'some' if self.respawn else 'none'))
         if problems:
             print('%s\n%s' % ('; '.join(problems), launch.output()))
         return problems, codes
 
-    def check(self, end_manager):
+    def check(self, at_once, end_manager=False):
         launches = rospy.get_param('~launches')
         ends = []
         for _ in range(launches):
             with tempfile.TemporaryDirectory() as folder:
-                ends.append(self.live(folder, end_manager))
+                ends.append(self.live(folder, at_once, end_manager))
         aborts = sum(-signal.SIGABRT in [code for _, code in codes] for _, codes in ends)
         bad = ['launch %d: %s' % (k, '; '.join(problems)) for k, (problems, _) in enumerate(ends) if problems]
         summary = '%d of %d launches ended cleanly, in %d a process aborted' % (launches - len(bad), launches, aborts)
         print('%s: %s' % (self.id().split('.')[-1], summary))
         self.assertFalse(bad, '%s; expected exit code 0 of every process, saw\n%s' % (summary, '\n'.join(bad)))
 
-    def test_ctrl_c(self):
-        self.check(end_manager=False)
+    def test_ctrl_c_after_an_answer(self):
+        self.check(at_once=False)
+
+    def test_ctrl_c_as_soon_as_all_is_loaded(self):
+        self.check(at_once=True)
 
     def test_the_manager_ends_before_its_loaders(self):
         """As by rosnode kill, or where it belongs to a driver's launch file."""
-        self.check(end_manager=True)
+        self.check(at_once=True, end_manager=True)
 
 
 if __name__ == '__main__':
