@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/ros/common/polygon_messages.hpp"
 
 namespace polygonal_perception::simulation_ros {
@@ -86,14 +85,14 @@ sensor_msgs::PointCloud2Ptr toCloud(const simulation::SimulatedFrame& frame,
     cloud->fields[i].count = 1;
   }
   cloud->data.resize(std::size_t{cloud->row_step} * camera.height);
-  const perception::PinholeRays rays =
-      perception::PinholeRays::make(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy);
   std::uint8_t* out = cloud->data.data();
   const float* depth = frame.depth.data();
   for (std::uint32_t v = 0; v < camera.height; ++v) {
+    const auto row_slope = static_cast<float>((v - camera.cy) / camera.fy);
     for (std::uint32_t u = 0; u < camera.width; ++u) {
       const float z = *depth++;
-      const float point[3] = {z * rays.column_slope[u], z * rays.row_slope[v], z};
+      const auto column_slope = static_cast<float>((u - camera.cx) / camera.fx);
+      const float point[3] = {z * column_slope, z * row_slope, z};
       std::memcpy(out, point, sizeof point);
       out += kPointStep;
     }
