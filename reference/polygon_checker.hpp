@@ -21,15 +21,13 @@ struct CellLength
 /// cell.
 ///
 /// 1. rings are simple and have at least 3 vertices, boundaries counter-clockwise, holes clockwise and
-/// inside;
+///    inside;
 /// 2. polygons do not overlap (rings do not even touch);
 /// 3. every occupied cell's square, grown by the radius and clipped to the grid, lies inside them: no edge
-/// comes nearer to an
-///    occupied square than the radius, but for edges along the grid's border, and all occupied cells are
-///    inside;
+///    comes nearer to an occupied square than the radius, but for edges along the grid's border, and all
+///    occupied cells are inside;
 /// 4. no point of an edge is farther from an occupied square than the limit, nor any point inside that is a
-/// 32nd of a cell or
-///    more away from an edge.
+///    32nd of a cell or more away from an edge.
 class PolygonChecker
 {
 public:

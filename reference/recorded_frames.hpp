@@ -36,7 +36,8 @@ struct LoadedFrame
   }
 };
 
-/// @return the path of the frames.json in the folder POLYGONAL_PERCEPTION_DATA; nothing where that is not set or has none
+/// @return the path of the frames.json in the folder POLYGONAL_PERCEPTION_DATA; nothing where that is not set
+///         or has none
 std::optional<std::string> findRecordedFrames();
 
 /// @throws std::runtime_error that says what cannot be read

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-/// What a FloorPlane says, as geometry to draw. A display draws what any node publishes: nothing is taken on trust
-/// here.
+/// What a FloorPlane says, as geometry to draw. A display draws what any node publishes: nothing is taken on
+/// trust here.
 namespace polygonal_perception::displays {
 
 /// Whether the normal is a unit vector and the distance and the hull are finite.

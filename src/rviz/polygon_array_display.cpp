@@ -24,7 +24,8 @@ enum ColorBy
 };
 
 constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is only HELD are paler
-// The extent stays behind the polygons: grey and thin, yet over a pixel wide from above, lest parts go missing.
+// The extent stays behind the polygons: grey and thin, yet over a pixel wide from above, lest parts go
+// missing.
 constexpr float kExtentWidth = 0.015F;  // [m]
 const Ogre::ColourValue kExtentColor(0.6F, 0.6F, 0.6F, 0.6F);
 

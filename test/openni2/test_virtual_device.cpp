@@ -39,9 +39,10 @@ public:
 
   void onNewFrame(openni::VideoStream& stream) override
   {
-    // A thread that comes late is told twice of one frame, and would wait here for the next, for ever where the
-    // stream is stopped. OpenNI cancels a thread that it has waited for in vain, and the unwinding destroys the
-    // stream, which is OpenNI's own class around this call, beside the thread that destroys it anyway.
+    // A thread that comes late is told twice of one frame, and would wait here for the next, for ever where
+    // the stream is stopped. OpenNI cancels a thread that it has waited for in vain, and the unwinding
+    // destroys the stream, which is OpenNI's own class around this call, beside the thread that destroys it
+    // anyway.
     openni::VideoStream* streams[] = {&stream};
     int ready = 0;
     if (openni::OpenNI::waitForAnyStream(streams, 1, &ready, openni::TIMEOUT_NONE) != STATUS_OK) return;

@@ -13,8 +13,8 @@
 
 namespace polygonal_perception::test {
 
-/// What a node of this package takes: it counts the obstacles with at least so many corners. Lazy, reconfigurable, with
-/// diagnostics and a clean end.
+/// What a node of this package takes: it counts the obstacles with at least so many corners. Lazy,
+/// reconfigurable, with diagnostics and a clean end.
 class ExampleNode
 {
 public:

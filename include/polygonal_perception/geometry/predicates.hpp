@@ -24,7 +24,7 @@ enum class Orientation : std::int8_t
 /// Which way the path from a by b to c turns.
 ///
 /// @return kCounterClockwise where c lies to the left of the line from a to b, kClockwise to the right,
-/// kCollinear on it and where two of the points are the same
+///         kCollinear on it and where two of the points are the same
 POLYGONAL_PERCEPTION_EXPORT Orientation orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                                     const Eigen::Vector2d& c);
 

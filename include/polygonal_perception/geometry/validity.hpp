@@ -40,7 +40,7 @@ struct Invalidity
 /// The time is near n log n for n vertices as long as few edges' bounding boxes overlap along x.
 ///
 /// @return nothing where the set is valid, as one without polygons is; else the first defect that was found,
-/// looked for in the order of Defect
+///         looked for in the order of Defect
 POLYGONAL_PERCEPTION_EXPORT std::optional<Invalidity> findDefect(const PolygonSet& polygons);
 
 }  // namespace polygonal_perception::geometry

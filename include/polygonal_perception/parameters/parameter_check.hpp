@@ -30,7 +30,8 @@ inline std::string rangeText(const Range& range, const std::string& unit)
   return numberText(range.min) + " to " + numberText(range.max) + (unit.empty() ? "" : " " + unit);
 }
 
-/// @return the fault of the first number that is out of its range, or nothing; what is no number is not looked at
+/// @return the fault of the first number that is out of its range, or nothing; what is no number is not
+///         looked at
 template <class Parameters>
 std::optional<ParameterFault> findOutOfRange(const Parameters& parameters)
 {
@@ -57,8 +58,8 @@ inline std::optional<ParameterFault> findDisorder(const char* lower_name, double
                             numberText(upper) + ", accepted is " + lower_name + " < " + upper_name};
 }
 
-/// @return why a set of parameters cannot be used: the first that is out of its range, else what its own conflict()
-/// says; nothing where the set is good
+/// @return why a set of parameters cannot be used: the first that is out of its range, else what its own
+///         conflict() says; nothing where the set is good
 template <class Parameters>
 std::optional<ParameterFault> findFault(const Parameters& parameters)
 {

@@ -19,8 +19,9 @@ namespace polygonal_perception::parameters {
 ///     visit(name, self.flag, help);                              bool
 ///     visit(name, self.direction, help);                         Eigen::Vector3d, any but the zero vector
 ///
-/// Names are those of the ROS parameters, unique within a node. ROS nodes read, check and document their parameters
-/// through it, and let dynamic_reconfigure change the numbers, except for those whose range says atStart().
+/// Names are those of the ROS parameters, unique within a node. ROS nodes read, check and document their
+/// parameters through it, and let dynamic_reconfigure change the numbers, except for those whose range says
+/// atStart().
 
 /// The values that a numeric parameter may take, both ends included.
 struct Range

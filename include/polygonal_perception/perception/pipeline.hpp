@@ -91,13 +91,15 @@ public:
   /// @return the result, valid until the next call
   const Result& process(const Frame& frame, Products products = Product::kPolygons);
 
-  /// Forgets the floor and the camera's forward direction. The result is that of a frame that was not looked at.
+  /// Forgets the floor and the camera's forward direction. The result is that of a frame that was not looked
+  /// at.
   void reset();
 
   /// Takes on new parameters with the next frame and keeps the floor.
   void configure(const Parameters& parameters);
 
-  /// Whether a frame of that stamp [s] has no floor to start from, and so wants an up vector from tf if there is one.
+  /// Whether a frame of that stamp [s] has no floor to start from, and so wants an up vector from tf if there
+  /// is one.
   bool needsSeed(double stamp) const { return tracker_.needsSeed(stamp); }
 
   const Parameters& parameters() const { return parameters_; }

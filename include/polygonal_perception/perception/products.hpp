@@ -5,7 +5,8 @@
 
 namespace polygonal_perception::perception {
 
-/// What a frame can be asked for. A new product is a line here, one in Products::needs() and a stage in Pipeline::process().
+/// What a frame can be asked for. A new product is a line here, one in Products::needs() and a stage in
+/// Pipeline::process().
 enum class Product : std::uint8_t
 {
   kFloor,           ///< the plane, its status, and the floor frame

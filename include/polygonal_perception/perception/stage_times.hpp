@@ -4,8 +4,8 @@
 
 namespace polygonal_perception::perception {
 
-/// How long each stage of a frame took; a stage that nobody asked for took nothing. A new timed stage is a member and a
-/// line of describe(): the diagnostics take their names from there.
+/// How long each stage of a frame took; a stage that nobody asked for took nothing. A new timed stage is a
+/// member and a line of describe(): the diagnostics take their names from there.
 struct StageTimes
 {
   using Duration = std::chrono::nanoseconds;

@@ -28,8 +28,8 @@ sensor_msgs::PointCloud2Ptr toCloud(const simulation::SimulatedFrame& frame,
 /// The true floor. NOT_FOUND where no pixel shows it; the plane is given all the same.
 FloorPlane toFloor(const simulation::SimulatedFrame& frame, const std_msgs::Header& header);
 
-/// The true outlines on the floor; they may overlap. They are not inflated, so that inflation_radius is 0. The
-/// extent is empty: the truth is no view, and this message does not say where obstacles were looked for.
+/// The true outlines on the floor; they may overlap. They are not inflated, so that inflation_radius is 0.
+/// The extent is empty: the truth is no view, and this message does not say where obstacles were looked for.
 PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const std_msgs::Header& header);
 
 /// The world -> base and base -> camera transforms of a camera pose: the base stands under the camera, its x

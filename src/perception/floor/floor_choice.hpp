@@ -31,7 +31,7 @@ struct FloorCandidate
 /// Each lower one lies farther away: what a shiny floor mirrors of something low that stands on it does not.
 /// @param candidates  steps among them are refused, and what they lead down from is marked
 /// @param too_low     the level planes of the frame that lie lower than the camera can stand on; steps are
-/// added
+///                    added
 void rejectStairSteps(std::vector<FloorCandidate>& candidates, std::vector<FloorCandidate>& too_low);
 
 /// The most likely floor among the candidates that are not refused, or nullptr.

@@ -17,8 +17,8 @@ constexpr double kDropMemory = 20.0;  // [s]
 constexpr double kSameOffset = 0.1;  // [m]
 /// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
 constexpr int kConfirmedAfter = 5;
-/// A plane nearer than this may as well be a table top that the camera looks over: it never counts as confirmed. A
-/// robot with a lower camera has max_camera_height to keep it off lower storeys.
+/// A plane nearer than this may as well be a table top that the camera looks over: it never counts as
+/// confirmed. A robot with a lower camera has max_camera_height to keep it off lower storeys.
 constexpr double kLeastConfirmedHeight = 0.38;  // [m]
 
 }  // namespace

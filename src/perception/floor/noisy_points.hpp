@@ -71,7 +71,7 @@ public:
   /// Picks accepted points in the band.
   /// @param accept  called with the index of a point in the band
   /// @param enough  of a band that holds more points than twice this, only every second, third, ... is looked
-  /// at
+  ///                at
   /// @param picked  their indices, filled anew
   /// @return how many points were looked at
   template <class Accept>

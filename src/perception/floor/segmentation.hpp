@@ -22,10 +22,9 @@ public:
 
   /// @param up                unit up vector
   /// @param least_upright     cosine of the largest angle between `up` and the normal of an upright sample
-  /// (eq. 3)
+  ///                          (eq. 3)
   /// @param cluster_distance  [m] tau_l, the least threshold of the plane distance (eq. 5); the samples'
-  /// depth noise
-  ///                          raises it where they are far away
+  ///                          depth noise raises it where they are far away
   void segment(const SampleGrid& grid, const Eigen::Vector3f& up, float least_upright,
                float cluster_distance);
 

@@ -27,8 +27,8 @@ InputTopics::Retired InputTopics::start()
 {
   error_.clear();
   for (auto topic = topics_.rbegin(); topic != topics_.rend(); ++topic) {
-    // roscpp throws where somebody in this process reads the same topic as another type; out of a callback that would
-    // take the manager down.
+    // roscpp throws where somebody in this process reads the same topic as another type; out of a callback
+    // that would take the manager down.
     try {
       subscribers_.push_back(topic->subscribe());
     } catch (const std::exception& error) {
@@ -39,8 +39,8 @@ InputTopics::Retired InputTopics::start()
   return {};
 }
 
-/// roscpp connects a publisher of the same process twice when it advertises while we subscribe, and then hands over each
-/// message twice.
+/// roscpp connects a publisher of the same process twice when it advertises while we subscribe, and then
+/// hands over each message twice.
 bool InputTopics::isNew(const boost::shared_ptr<const void>& message, boost::weak_ptr<const void>& last)
 {
   if (!message.owner_before(last) && !last.owner_before(message)) return false;

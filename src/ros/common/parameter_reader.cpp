@@ -17,7 +17,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// Each `take` gives the value's new content, or leaves it alone and returns false where the type does not fit.
+/// Each `take` gives the value's new content, or leaves it alone and returns false where the type does not
+/// fit.
 bool take(XmlRpcValue& from, std::string& to)
 {
   if (from.getType() != XmlRpcValue::TypeString) return false;

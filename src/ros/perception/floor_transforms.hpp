@@ -8,11 +8,11 @@
 
 namespace polygonal_perception::ros_perception {
 
-/// The pose of the floor frame in the output frame: x, y and yaw from localisation; roll, pitch and height are the floor's
-/// (section IV).
+/// The pose of the floor frame in the output frame: x, y and yaw from localisation; roll, pitch and height
+/// are the floor's (section IV).
 ///
-/// The floor frame lies straight under the input frame, and its yaw is the one that brings what the floor and what tf say
-/// of the camera's attitude together best.
+/// The floor frame lies straight under the input frame, and its yaw is the one that brings what the floor and
+/// what tf say of the camera's attitude together best.
 ///
 /// @param input_to_output  from tf
 /// @param input_to_floor   Pipeline::Result::to_floor_frame

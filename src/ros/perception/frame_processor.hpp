@@ -30,7 +30,8 @@ struct InputFrame
   const std_msgs::Header& header() const { return cloud ? cloud->header : image->header; }
 };
 
-/// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the result.
+/// Answers frames: gathers what a frame needs from tf and camera_info, runs the pipeline and publishes the
+/// result.
 class FrameProcessor
 {
 public:

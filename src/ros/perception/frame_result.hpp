@@ -18,7 +18,8 @@ struct OutputPose
   Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
 };
 
-/// A frame with everything that its messages are made of. What it refers to must stay while messages are made.
+/// A frame with everything that its messages are made of. What it refers to must stay while messages are
+/// made.
 struct FrameResult
 {
   const std_msgs::Header& input;

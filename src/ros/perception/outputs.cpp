@@ -15,8 +15,8 @@ namespace {
 using perception::Product;
 using perception::Products;
 
-/// Whether there is something to say about a product in the output frame. A reader who came while the frame was looked at
-/// waits for the next one; but without a floor there is an answer to everything, whoever asked.
+/// Whether there is something to say about a product in the output frame. A reader who came while the frame
+/// was looked at waits for the next one; but without a floor there is an answer to everything, whoever asked.
 bool canTell(const FrameResult& frame, Product product)
 {
   return frame.output && (!frame.hasFloor() || frame.result.products.has(product));

@@ -31,7 +31,8 @@ TEST(FloorFrame, LookingStraightDownStillGivesARotation)
   EXPECT_TRUE((m.linear() * m.linear().transpose()).isIdentity(1e-12)) << m.linear();
 }
 
-/// A cloud of a wide camera, 120 degrees across, 0.8 m above a floor and before a wall, in the frame of any axes.
+/// A cloud of a wide camera, 120 degrees across, 0.8 m above a floor and before a wall, in the frame of any
+/// axes.
 class WideView
 {
 public:

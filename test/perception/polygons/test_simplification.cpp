@@ -69,7 +69,8 @@ TEST(Simplification, TheCheapestGoesFirst)
   EXPECT_EQ(cornersOf(outlines, 0), (Corners{{320, 560}, {0, 640}, {0, 0}, {640, 0}, {640, 640}}));
 }
 
-// Two notches on one side: the left one is 1 cell deep and costs 2, the right one 1.5 cells deep, and costs 3.
+// Two notches on one side: the left one is 1 cell deep and costs 2, the right one 1.5 cells deep, and costs
+// 3.
 const Corners kNotches = {{0, 0},     {640, 0},   {640, 640}, {512, 544},
                           {384, 640}, {256, 640}, {128, 576}, {0, 640}};
 

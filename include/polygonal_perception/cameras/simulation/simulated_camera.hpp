@@ -43,7 +43,7 @@ public:
   };
 
   /// @throws std::invalid_argument for an unknown name, an empty image, or a rate or a parameter out of its
-  /// range
+  ///         range
   explicit SimulatedCamera(const Options& options);
 
   const Options& options() const { return options_; }

@@ -19,16 +19,16 @@ namespace polygonal_perception::perception {
 ///
 /// @param floor    unit normal, up
 /// @param forward  the camera's viewing direction in the input's frame, any length. Where it is within about
-/// 1 degree of
-///                 the floor's normal (a camera that looks straight down or up), the input axis that is
-///                 nearest to the floor plane stands in for it.
+///                 1 degree of the floor's normal (a camera that looks straight down or up), the input axis
+///                 that is nearest to the floor plane stands in for it.
 POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d floorFrame(const geometry::Plane& floor,
                                                          const Eigen::Vector3d& forward);
 
-/// The camera's forward direction in the input's frame: z for a depth image, whose frame is an optical one. For a cloud
-/// the frame's axis along which its returns lie, for a camera looks at nothing that is behind it: z in an optical frame
-/// (REP 103), x in a body frame, and nobody has to say which. Where returns lie along both, as in a wide view with
-/// returns on one side only, it is z: seen in a body frame, the floor lies below, not along z.
+/// The camera's forward direction in the input's frame: z for a depth image, whose frame is an optical one.
+/// For a cloud the frame's axis along which its returns lie, for a camera looks at nothing that is behind it:
+/// z in an optical frame (REP 103), x in a body frame, and nobody has to say which. Where returns lie along
+/// both, as in a wide view with returns on one side only, it is z: seen in a body frame, the floor lies
+/// below, not along z.
 ///
 /// @return a unit axis, or nothing where no sample has a point
 POLYGONAL_PERCEPTION_EXPORT std::optional<Eigen::Vector3d> forwardAxis(const PointView& points,

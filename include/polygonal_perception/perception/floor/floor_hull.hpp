@@ -16,8 +16,7 @@ namespace polygonal_perception::perception {
 /// @param labels   what became of each, in the same order
 /// @param floor    the plane that was found in it
 /// @return the corners in the samples' frame, counter-clockwise seen from above; empty where the samples of
-/// the floor lie
-///         on one line
+///         the floor lie on one line
 POLYGONAL_PERCEPTION_EXPORT std::vector<Eigen::Vector3f> floorHull(const SampleGrid& samples,
                                                                    const std::vector<SampleLabel>& labels,
                                                                    const geometry::Plane& floor);

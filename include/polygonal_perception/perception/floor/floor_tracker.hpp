@@ -53,10 +53,10 @@ public:
   {
   }
 
-  /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first, and
-  ///                    with the same one no floor is held
+  /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first, and with the
+  ///                    same one no floor is held
   /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without
-  /// up_feedback
+  ///                    up_feedback
   const FloorState& update(const PointView& points, const SampleGrid& grid, double stamp,
                            const std::optional<Eigen::Vector3d>& up_from_tf);
 

@@ -14,9 +14,9 @@ class POLYGONAL_PERCEPTION_EXPORT ViewChange
 {
 public:
   /// @return whether most samples of the frame are at another range than in the last one: more than half of
-  /// them by more
-  ///         than 15 %. Where fewer than a tenth of the samples can be compared the view counts as the same.
-  ///         In recorded and rendered sequences at 30 Hz at most a third of the samples change so much.
+  ///         them by more than 15 %. Where fewer than a tenth of the samples can be compared the view counts
+  ///         as the same. In recorded and rendered sequences at 30 Hz at most a third of the samples change
+  ///         so much.
   bool update(const SampleGrid& grid);
 
   /// Forgets the last frame; the next one is no change.

@@ -16,8 +16,8 @@
 
 namespace polygonal_perception::ros_common {
 
-/// Reports a node's state on /diagnostics, once a `diagnostic_period` by the wall clock: a bag that stands still is worth
-/// a report, too.
+/// Reports a node's state on /diagnostics, once a `diagnostic_period` by the wall clock: a bag that stands
+/// still is worth a report, too.
 class POLYGONAL_PERCEPTION_EXPORT DiagnosticsReporter
 {
 public:

@@ -27,7 +27,8 @@ private:
   std::uint64_t count_ = 0;
 };
 
-/// What became of a node's input messages, its frames: counts since the start, rate and times since the last report.
+/// What became of a node's input messages, its frames: counts since the start, rate and times since the last
+/// report.
 class POLYGONAL_PERCEPTION_EXPORT FrameStatistics
 {
 public:
@@ -49,8 +50,8 @@ public:
   }
 
   /// A frame has come in.
-  /// @param sequence  the header's sequence number, as far as the publisher counts: a gap tells of frames that were
-  ///                  dropped
+  /// @param sequence  the header's sequence number, as far as the publisher counts: a gap tells of frames
+  ///                  that were dropped
   void received(std::uint32_t sequence, Clock::time_point now);
   /// A frame was answered.
   /// @param messages  the time that its messages took, after the stages

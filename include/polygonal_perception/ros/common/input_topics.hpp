@@ -17,13 +17,13 @@
 
 namespace polygonal_perception::ros_common {
 
-/// A node's input topics, subscribed and left together, as a lazy node does with its readers. Hands over each message
-/// once, uncopied, and only the newest: one that waited is dropped for it.
+/// A node's input topics, subscribed and left together, as a lazy node does with its readers. Hands over each
+/// message once, uncopied, and only the newest: one that waited is dropped for it.
 class POLYGONAL_PERCEPTION_EXPORT InputTopics
 {
 public:
-  /// Subscriptions that are over. To be destroyed outside of the gate: roscpp then waits for a callback that is under
-  /// way, which may be waiting to come in.
+  /// Subscriptions that are over. To be destroyed outside of the gate: roscpp then waits for a callback that
+  /// is under way, which may be waiting to come in.
   using Retired = std::vector<ros::Subscriber>;
 
   /// @param handle  whose queue serves the callbacks
@@ -38,8 +38,8 @@ public:
   template <class Message>
   void add(const char* topic, std::function<void(const boost::shared_ptr<const Message>&)> action)
   {
-    // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names fall into
-    // the manager's namespace, past the nodelet's remappings.
+    // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names
+    // fall into the manager's namespace, past the nodelet's remappings.
     const std::string name = ros::names::append(namespace_, topic);
     topics_.push_back({name, [this, name, action = std::move(action)] {
                          const auto last = std::make_shared<boost::weak_ptr<const void>>();

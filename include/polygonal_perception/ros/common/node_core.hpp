@@ -14,15 +14,16 @@
 
 namespace polygonal_perception::ros_common {
 
-/// What every node stands on: its handles, its parameters in force, its log, its input topics, what became of its input,
-/// and the gate that its callbacks go through.
+/// What every node stands on: its handles, its parameters in force, its log, its input topics, what became of
+/// its input, and the gate that its callbacks go through.
 ///
-/// A node holds it as its first member, makes its other members inside the gate, and closes it first of all in its
-/// destructor:
+/// A node holds it as its first member, makes its other members inside the gate, and closes it first of all
+/// in its destructor:
 ///
 ///     Node::~Node() { core_.close(); }
 ///
-/// The handles' queue may be served by any thread, one callback at a time, as a nodelet's single-threaded queue is.
+/// The handles' queue may be served by any thread, one callback at a time, as a nodelet's single-threaded
+/// queue is.
 template <class Parameters>
 struct NodeCore
 {

@@ -9,8 +9,8 @@
 
 namespace polygonal_perception::ros_common {
 
-/// A node class in a nodelet manager, best the one whose nodelets publish what it reads: messages are then read where
-/// they lie.
+/// A node class in a nodelet manager, best the one whose nodelets publish what it reads: messages are then
+/// read where they lie.
 ///
 /// @tparam Node  made of a handle and a private handle; it may throw when it cannot start
 template <class Node>

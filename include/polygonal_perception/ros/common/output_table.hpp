@@ -14,8 +14,9 @@
 
 namespace polygonal_perception::ros_common {
 
-/// A node's output topics as a table: the topic, what it is made of, how its message is built. A message is built only
-/// while somebody reads it, anew for each result: readers in the same process share it, and nobody touches it again.
+/// A node's output topics as a table: the topic, what it is made of, how its message is built. A message is
+/// built only while somebody reads it, anew for each result: readers in the same process share it, and nobody
+/// touches it again.
 ///
 /// @tparam Result  what messages are built from
 /// @tparam Needs   a set of products of the computation, with |=; what nobody reads need not be computed

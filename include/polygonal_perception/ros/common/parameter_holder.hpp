@@ -37,11 +37,12 @@ Parameters readParameters(const ros::NodeHandle& private_handle, ParameterReport
   return values;
 }
 
-/// The one holder of a node's parameters in force: reads them when the node starts, says in the log what is wrong with
-/// them, and lets dynamic_reconfigure change the numbers. A bad value never gets in; the last good one stays.
+/// The one holder of a node's parameters in force: reads them when the node starts, says in the log what is
+/// wrong with them, and lets dynamic_reconfigure change the numbers. A bad value never gets in; the last good
+/// one stays.
 ///
-/// @tparam Parameters  with describe() (parameters/parameter_table.hpp) and conflict(), which says which values
-///                     contradict one another though each is within its range
+/// @tparam Parameters  with describe() (parameters/parameter_table.hpp) and conflict(), which says which
+///                     values contradict one another though each is within its range
 template <class Parameters>
 class ParameterHolder
 {
@@ -61,7 +62,8 @@ public:
   const Parameters* operator->() const { return &values_; }
 
   /// Begins to take sets from clients.
-  /// @param changed  called from the handle's queue with each new set that is good as a whole, before it is in force
+  /// @param changed  called from the handle's queue with each new set that is good as a whole, before it is
+  ///                 in force
   void serve(std::function<void(const Parameters&)> changed)
   {
     Parameters defaults;

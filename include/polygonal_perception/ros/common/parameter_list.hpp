@@ -37,7 +37,8 @@ struct ParameterEntry
   }
 };
 
-/// The parameters of a struct, in the order of its describe(). They point into the struct, which must outlive them.
+/// The parameters of a struct, in the order of its describe(). They point into the struct, which must outlive
+/// them.
 using ParameterList = std::vector<ParameterEntry>;
 
 template <class Parameters>

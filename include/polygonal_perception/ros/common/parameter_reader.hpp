@@ -23,7 +23,8 @@ struct ParameterReport
 POLYGONAL_PERCEPTION_EXPORT ParameterReport readParameters(const ros::NodeHandle& private_handle,
                                                            ParameterList& parameters);
 
-/// Writes the numbers that can be reconfigured to the parameter server, so that `rosparam get` shows what is in force.
+/// Writes the numbers that can be reconfigured to the parameter server, so that `rosparam get` shows what is
+/// in force.
 POLYGONAL_PERCEPTION_EXPORT void writeParameters(const ros::NodeHandle& private_handle,
                                                  const ParameterList& parameters);
 

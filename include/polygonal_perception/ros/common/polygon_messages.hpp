@@ -44,8 +44,8 @@ POLYGONAL_PERCEPTION_EXPORT std::vector<Eigen::Vector2d> toVertices(const geomet
 /// Reads a message that anybody may have made.
 ///
 /// @return the boundary, followed by the holes; an error that names the ring ("hole 1") where it has fewer
-/// than 3 vertices or a coordinate that is not finite. Whether rings are simple is not looked at:
-/// geometry::findDefect does.
+///         than 3 vertices or a coordinate that is not finite. Whether rings are simple is not looked at:
+///         geometry::findDefect does.
 POLYGONAL_PERCEPTION_EXPORT Expected<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon);
 
 /// The same of all polygons of an array, in its frame. The error names the polygon, too.

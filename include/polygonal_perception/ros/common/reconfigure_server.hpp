@@ -17,9 +17,9 @@ namespace polygonal_perception::ros_common {
 
 /// Lets clients of dynamic_reconfigure change the numbers among a node's parameters.
 ///
-/// It speaks the protocol itself, straight from describe(), where ranges, units and help text stand already: a generated
-/// .cfg would repeat them all, dynamic_reconfigure::Server clamps a bad value in silence instead of refusing the set, and
-/// its mutex may be gone before its service is when a nodelet is unloaded.
+/// It speaks the protocol itself, straight from describe(), where ranges, units and help text stand already:
+/// a generated .cfg would repeat them all, dynamic_reconfigure::Server clamps a bad value in silence instead
+/// of refusing the set, and its mutex may be gone before its service is when a nodelet is unloaded.
 class POLYGONAL_PERCEPTION_EXPORT ReconfigureServer
 {
 public:

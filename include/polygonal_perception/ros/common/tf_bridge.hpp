@@ -20,8 +20,7 @@ public:
   TfBridge() : listener_(buffer_) {}
 
   /// @return the transform that takes points from `source` into `target` at that time, or the reason why not,
-  /// which names
-  ///         both frames and the stamp
+  ///         which names both frames and the stamp
   Expected<Eigen::Isometry3d> lookup(const std::string& target, const std::string& source,
                                      const ros::Time& stamp) const;
 

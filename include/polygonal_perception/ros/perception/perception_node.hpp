@@ -11,8 +11,9 @@ namespace polygonal_perception::ros_perception {
 
 /// The whole node: what the nodelet and the program run, and what needs neither of them.
 ///
-/// It subscribes to the camera while somebody reads an output, answers each frame, and lets a frame whose transforms are on
-/// their way wait without holding up anything else. The handles' queue may be served by any thread, one callback at a time.
+/// It subscribes to the camera while somebody reads an output, answers each frame, and lets a frame whose
+/// transforms are on their way wait without holding up anything else. The handles' queue may be served by any
+/// thread, one callback at a time.
 class POLYGONAL_PERCEPTION_EXPORT PerceptionNode
 {
 public:
