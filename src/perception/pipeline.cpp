@@ -86,9 +86,12 @@ void Pipeline::findFloor(const Frame& frame)
 void Pipeline::findForward(const Frame& frame)
 {
   if (!forward_) {
-    const auto guess = forwardAxis(frame.points, result_.samples);
+    const bool has_floor = result_.floor.status != FloorStatus::kNotFound;
+    const auto guess =
+        forwardAxis(frame.points, result_.samples,
+                    has_floor ? result_.floor.floor.plane.normal : parameters_.tracker.initial_up);
     // A view without a floor may be that of a lens cap: it does not decide for the frames after it.
-    if (result_.floor.status != FloorStatus::kNotFound) forward_ = guess;
+    if (has_floor) forward_ = guess;
     result_.forward = guess.value_or(Eigen::Vector3d::UnitZ());
   } else {
     result_.forward = *forward_;
@@ -101,6 +104,7 @@ void Pipeline::reset()
   forward_.reset();
   clearResult({});
   result_.floor = FloorState{};
+  result_.forward = Eigen::Vector3d::UnitZ();
   result_.floor_hull.clear();
 }
 

@@ -22,7 +22,7 @@ TEST(Products, AreSets)
   EXPECT_TRUE(Products{}.empty());
   const Products both = Products(Product::kFloorHull) | Product::kOccupancy;
   EXPECT_EQ(both, (Products{Product::kOccupancy, Product::kFloorHull}));
-  EXPECT_EQ(both & Product::kInflation, Products(Product::kOccupancy));
+  EXPECT_EQ(both.inInputFrame(), Products(Product::kFloorHull));
   EXPECT_NE(both, Products(Product::kFloorHull));
 }
 

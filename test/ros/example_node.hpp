@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
 #include "polygonal_perception/ros/common/node_core.hpp"
@@ -45,25 +46,27 @@ public:
   ExampleNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
       : core_(handle, private_handle, ros_common::FrameStatistics::ofStages<StageTimes>())
   {
-    ros_common::InputTopics::Retired retired;
-    const auto inside = core_.gate->enter();
-    outputs_ = std::make_unique<Outputs>(
-        core_.private_handle, ros_common::retiringOutside(core_.gate, [this] { return follow(); }));
-    outputs_->add<std_msgs::UInt32>("count", {}, [](const std::uint32_t& count) {
-      auto message = boost::make_shared<std_msgs::UInt32>();
-      message->data = count;
-      return message;
+    core_.make([this] {
+      outputs_ = std::make_unique<Outputs>(
+          core_.private_handle,
+          ros_common::unsubscribingOutside(core_.gate, [this] { return followReaders(); }));
+      outputs_->add<std_msgs::UInt32>("count", {}, [](const std::uint32_t& count) {
+        auto message = boost::make_shared<std_msgs::UInt32>();
+        message->data = count;
+        return message;
+      });
+      core_.inputs.add<PolygonArray>("polygons",
+                                     [this](const PolygonArrayConstPtr& array) { onPolygons(*array); });
+      core_.parameters.serve(core_.gate, [](const Parameters&) {});
+      diagnostics_ = std::make_unique<ros_common::DiagnosticsReporter>(
+          core_.handle, core_.private_handle, core_.gate, core_.log, [this] { return followReaders(); },
+          [this](auto& status) {
+            status.summary(diagnostic_msgs::DiagnosticStatus::OK,
+                           core_.inputs.active() ? "counting" : "idle");
+            ros_common::addStatistics(core_.statistics, status);
+          });
+      return followReaders();
     });
-    core_.inputs.add<PolygonArray>("polygons",
-                                   [this](const PolygonArrayConstPtr& array) { onPolygons(*array); });
-    core_.parameters.serve([](const Parameters&) {});
-    diagnostics_ = std::make_unique<ros_common::DiagnosticsReporter>(
-        core_.handle, core_.private_handle, core_.gate, core_.log, [this] { return follow(); },
-        [this](auto& status) {
-          status.summary(diagnostic_msgs::DiagnosticStatus::OK, core_.inputs.active() ? "counting" : "idle");
-          ros_common::addStatistics(core_.statistics, status);
-        });
-    retired = follow();
   }
   ~ExampleNode() { core_.close(); }
 
@@ -74,7 +77,10 @@ private:
   };
   using Outputs = ros_common::OutputTable<std::uint32_t, Nothing>;
 
-  ros_common::InputTopics::Retired follow() { return core_.followInputs(outputs_->hasReaders()); }
+  ros_common::InputTopics::Unsubscribed followReaders()
+  {
+    return core_.setSubscribed(outputs_->hasReaders());
+  }
 
   void onPolygons(const PolygonArray& array)
   {

@@ -70,7 +70,8 @@ public:
     Products
         products;  ///< what was asked for, with all that it is made of; none: the frame was not looked at
     FloorState floor;
-    /// The camera's viewing direction in the input's frame, a unit axis; z as long as no point has told.
+    /// The camera's viewing direction in the input's frame, a unit axis: of this frame until a
+    /// floor is found, and then kept.
     Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();
     /// From the input's frame into the floor frame; meaningful unless NOT_FOUND.
     Eigen::Isometry3d to_floor_frame = Eigen::Isometry3d::Identity();

@@ -5,8 +5,9 @@
 
 namespace polygonal_perception::perception {
 
-/// What a frame can be asked for. A new product is a line here, one in Products::needs() and a stage in
-/// Pipeline::process().
+/// What a frame can be asked for. A new product is a line here, and one each in Products::needs() and
+/// isInFloorFrame(), of which the compiler reminds; a member of Pipeline::Result, and a stage in
+/// pipeline.cpp.
 enum class Product : std::uint8_t
 {
   kFloor,           ///< the plane, its status, and the floor frame
@@ -26,6 +27,7 @@ public:
   // Implicit, so that one product is asked for as it is.
   constexpr Products(Product product) : bits_(bit(product))  // NOLINT(google-explicit-constructor)
   {
+    // The floor is made of nothing else.
     if (product != Product::kFloor) bits_ |= needs(product).bits_;
   }
   constexpr Products(std::initializer_list<Product> products)
@@ -42,11 +44,15 @@ public:
     return *this;
   }
   friend constexpr Products operator|(Products a, Products b) { return a |= b; }
-  /// The products that are in both sets.
-  friend constexpr Products operator&(Products a, Products b)
+  /// Those that are given in the input's frame: what is left where nobody knows where the floor frame lies.
+  constexpr Products inInputFrame() const
   {
-    a.bits_ &= b.bits_;
-    return a;
+    Products left;
+    for (unsigned k = 0; bits_ >> k != 0; ++k) {
+      const auto product = static_cast<Product>(k);
+      if (has(product) && !isInFloorFrame(product)) left |= product;
+    }
+    return left;
   }
   constexpr bool operator==(Products other) const { return bits_ == other.bits_; }
   constexpr bool operator!=(Products other) const { return bits_ != other.bits_; }
@@ -64,9 +70,29 @@ private:
         return Product::kOccupancy;
       case Product::kFloorHull:
         return Product::kSampleLabels;
-      default:
-        return Product::kFloor;
+      case Product::kFloor:
+      case Product::kSampleLabels:
+      case Product::kOccupancy:
+      case Product::kObstaclePoints:
+        break;
     }
+    return Product::kFloor;
+  }
+
+  static constexpr bool isInFloorFrame(Product product)
+  {
+    switch (product) {
+      case Product::kFloor:
+      case Product::kSampleLabels:
+      case Product::kFloorHull:
+        return false;
+      case Product::kOccupancy:
+      case Product::kObstaclePoints:
+      case Product::kInflation:
+      case Product::kPolygons:
+        break;
+    }
+    return true;
   }
 
   std::uint32_t bits_ = 0;

@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 
 namespace polygonal_perception::simulation_ros {
+
+/// "corridor, office, ..."
+inline std::string listed(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
 
 inline bool isScene(const std::string& text)
 {
@@ -52,15 +61,16 @@ struct SimulatedCameraParameters
     using parameters::TextRule;
     const TextRule name{"a name", isName};
     visit("camera", self.camera, name, "Namespace of the camera's topics.");
-    visit("scene", self.scene,
-          TextRule{"corridor, office, busy_office, person, table_top, wall, doorway, stairs, ledge", isScene},
-          "Where the camera looks.");
-    visit("trajectory", self.trajectory, TextRule{"robotino, nao", isTrajectory}, "How it moves.");
+    static const std::string scenes = listed(simulation::sceneNames());
+    static const std::string trajectories = listed(simulation::trajectoryNames());
+    visit("scene", self.scene, TextRule{scenes.c_str(), isScene}, "Where the camera looks.");
+    visit("trajectory", self.trajectory, TextRule{trajectories.c_str(), isTrajectory}, "How it moves.");
     visit("seed", self.seed, Range{0, 1e9}.atStart(), "", "Another number, another room.");
     visit("rate", self.rate, Range{0.1, 1000.0}.atStart(), "Hz", "Frames a second.");
     visit("width", self.width, Range{1, 8192}.atStart(), "px", "Of the image.");
     visit("height", self.height, Range{1, 8192}.atStart(), "px", "Of the image.");
-    visit("noise", self.has_noise, "Whether depth has the noise of a structured-light camera.");
+    visit("noise", self.has_noise,
+          "Whether depth has the noise of a structured-light camera; false: noise_... have no effect.");
     simulation::DepthNoise::Parameters::describe(
         self.noise,
         [&visit](const char* noise_name, auto& value, const Range& range, const auto&... unit_and_help) {

@@ -1,6 +1,5 @@
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,28 +29,42 @@ Eigen::Isometry3d floorFrame(const geometry::Plane& floor, const Eigen::Vector3d
   return to_floor;
 }
 
-std::optional<Eigen::Vector3d> forwardAxis(const PointView& points, const SampleGrid& samples)
+std::optional<Eigen::Vector3d> forwardAxis(const PointView& points, const SampleGrid& samples,
+                                           const Eigen::Vector3d& up)
 {
   // Garbage among the returns must not decide: so small a share of them counts for nothing.
   constexpr double kGarbage = 0.005;
+  constexpr float kVertical = 0.7F;         // cosine of 45 degrees
+  constexpr std::size_t kConventional = 2;  // axes that a camera may look along by convention, whatever is up
   if (points.layout() != PointLayout::kCloud) return Eigen::Vector3d::UnitZ();
 
   // Those of optical and body frames come first.
   const std::array<Eigen::Vector3f, 6> axes = {Eigen::Vector3f::UnitZ(),  Eigen::Vector3f::UnitX(),
                                                -Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(),
                                                -Eigen::Vector3f::UnitY(), -Eigen::Vector3f::UnitZ()};
-  std::array<int, 6> ahead{};
+  std::array<double, 6> ahead{};  // returns before the plane across each axis
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   int returns = 0;
   for (const Sample& sample : samples.samples()) {
     if (!sample.has_point || sample.point.isZero()) continue;
     ++returns;
-    for (std::size_t k = 0; k < axes.size(); ++k) ahead[k] += axes[k].dot(sample.point) > 0.0F ? 1 : 0;
+    mean += sample.point.normalized();
+    for (std::size_t k = 0; k < axes.size(); ++k) ahead[k] += axes[k].dot(sample.point) > 0.0F ? 1.0 : 0.0;
   }
   if (returns == 0) return std::nullopt;
-  const double enough = *std::max_element(ahead.begin(), ahead.end()) - kGarbage * returns;
-  const auto first =
-      std::find_if(ahead.begin(), ahead.end(), [enough](int count) { return count >= enough; });
-  return axes[static_cast<std::size_t>(first - ahead.begin())].cast<double>();
+
+  const Eigen::Vector3f vertical = up.normalized().cast<float>();
+  std::size_t best = axes.size();
+  float along_best = 0.0F;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (k >= kConventional && std::abs(axes[k].dot(vertical)) > kVertical) continue;
+    if (ahead[k] >= (1.0 - kGarbage) * returns) return axes[k].cast<double>();
+    const float along = axes[k].dot(mean);
+    if (best < axes.size() && along <= along_best) continue;
+    best = k;
+    along_best = along;
+  }
+  return axes[best].cast<double>();
 }
 
 }  // namespace polygonal_perception::perception

@@ -7,24 +7,35 @@
 
 namespace polygonal_perception::ros_common {
 
+namespace {
+
+/// The updater reads the period when it is made: by then it must be one that it survives.
+const ros::NodeHandle& withCheckedPeriod(const ros::NodeHandle& private_handle)
+{
+  ensureDiagnosticPeriod(private_handle);
+  return private_handle;
+}
+
+}  // namespace
+
 DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                          std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
-                                         std::function<InputTopics::Retired()> retry,
+                                         std::function<InputTopics::Unsubscribed()> retry,
                                          std::function<void(Status&)> fill)
-    // The period is looked at before the updater looks.
-    : private_handle_((ensureDiagnosticPeriod(private_handle), private_handle)),
+    : private_handle_(withCheckedPeriod(private_handle)),
       log_(log),
       updater_(handle, private_handle, private_handle.getNamespace())
 {
   updater_.setHardwareID("none");
   updater_.add("frames", std::move(fill));
   // The updater may have read another value, one that never ends, of a parameter that changes just now.
-  timer_ = ros::NodeHandle(handle).createWallTimer(ros::WallDuration(ensureDiagnosticPeriod(private_handle_)),
-                                                   retiringOutside(gate, [this, retry = std::move(retry)] {
-                                                     InputTopics::Retired retired = retry();
-                                                     report();
-                                                     return retired;
-                                                   }));
+  timer_ =
+      ros::NodeHandle(handle).createWallTimer(ros::WallDuration(ensureDiagnosticPeriod(private_handle_)),
+                                              unsubscribingOutside(gate, [this, retry = std::move(retry)] {
+                                                InputTopics::Unsubscribed unsubscribed = retry();
+                                                report();
+                                                return unsubscribed;
+                                              }));
 }
 
 void DiagnosticsReporter::report()

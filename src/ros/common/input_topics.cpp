@@ -11,7 +11,7 @@ InputTopics::InputTopics(const ros::NodeHandle& handle, const std::string& node,
 {
 }
 
-InputTopics::Retired InputTopics::follow(bool wanted)
+InputTopics::Unsubscribed InputTopics::setSubscribed(bool wanted)
 {
   if (wanted && active()) return {};
   if (wanted) {
@@ -23,7 +23,7 @@ InputTopics::Retired InputTopics::follow(bool wanted)
   return std::exchange(subscribers_, {});
 }
 
-InputTopics::Retired InputTopics::start()
+InputTopics::Unsubscribed InputTopics::start()
 {
   error_.clear();
   for (auto topic = topics_.rbegin(); topic != topics_.rend(); ++topic) {

@@ -20,7 +20,7 @@ struct NodeState
   std::string awaited_topic;       ///< resolved name of the input that it cannot go on without
   bool awaited_is_published = false;
   perception::FloorState floor;
-  std::optional<CameraAttitude> attitude;  ///< where there is a floor and it is known where the camera looks
+  std::optional<CameraAttitude> attitude;  ///< where there is a floor
 };
 
 /// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to

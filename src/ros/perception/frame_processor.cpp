@@ -103,7 +103,7 @@ perception::Products FrameProcessor::neededProducts(const Transforms& transforms
 {
   // tf to the floor frame, and the diagnostics, want a floor in any case.
   const perception::Products needs = outputs_.needs() | perception::Product::kFloor;
-  return transforms.missing_output.empty() ? needs : needs & kInputFrameProducts;
+  return transforms.missing_output.empty() ? needs : needs.inInputFrame();
 }
 
 void FrameProcessor::runPipeline(const std_msgs::Header& header, const perception::PointView& points,

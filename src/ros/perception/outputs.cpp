@@ -31,8 +31,15 @@ nav_msgs::OccupancyGridPtr toGrid(const FrameResult& frame, Product product,
                           : toUnknownGrid(frame.outputHeader(), grid.geometry(), pose);
 }
 
+/// The same in the input's frame, for the floor with its hull.
+bool canTellHull(const FrameResult& frame)
+{
+  return !frame.hasFloor() || frame.result.products.has(Product::kFloorHull);
+}
+
 FloorPlanePtr floor(const FrameResult& frame)
 {
+  if (!canTellHull(frame)) return nullptr;
   return toFloorPlane(frame.input, frame.result.floor, frame.result.floor_hull);
 }
 
@@ -62,6 +69,7 @@ PolygonArrayPtr polygons(const FrameResult& frame)
 
 visualization_msgs::MarkerArrayPtr markers(const FrameResult& frame)
 {
+  if (!canTellHull(frame)) return nullptr;
   auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
   static const geometry::PolygonSet kNoPolygons;  // delete those of the last frame
   if (frame.output && frame.hasFloor() && frame.result.products.has(Product::kPolygons)) {

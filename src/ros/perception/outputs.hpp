@@ -8,10 +8,6 @@ namespace polygonal_perception::ros_perception {
 
 using Outputs = ros_common::OutputTable<FrameResult, perception::Products>;
 
-/// The products that are made in the input's frame, and so without knowing where it lies in the output frame.
-constexpr perception::Products kInputFrameProducts{perception::Product::kSampleLabels,
-                                                   perception::Product::kFloorHull};
-
 /// Adds the node's topics. A new one is an entry here.
 void addOutputs(Outputs& outputs);
 

@@ -34,10 +34,11 @@ private:
     ros_common::FrameStatistics::Clock::time_point arrival;
   };
 
+  void makeMembers();
   void addInputs();
   void advertiseReset();
-  ros_common::InputTopics::Retired followReaders();
-  ros_common::InputTopics::Retired retrySubscription();
+  ros_common::InputTopics::Unsubscribed followReaders();
+  ros_common::InputTopics::Unsubscribed retrySubscription();
   void onFrame(const InputFrame& frame);
   void processWaiting();
   void dropWaiting();
@@ -60,17 +61,22 @@ PerceptionNode::Implementation::Implementation(const ros::NodeHandle& handle,
                                                const ros::NodeHandle& private_handle)
     : core_(handle, private_handle, ros_common::FrameStatistics::ofStages<perception::StageTimes>())
 {
-  ros_common::InputTopics::Retired retired;
-  // Readers may come before everything stands: their callbacks wait outside.
-  const auto inside = core_.gate->enter();
+  core_.make([this] {
+    makeMembers();
+    return followReaders();
+  });
+}
+
+void PerceptionNode::Implementation::makeMembers()
+{
   outputs_ = std::make_unique<Outputs>(
-      core_.private_handle, ros_common::retiringOutside(core_.gate, [this] { return followReaders(); }));
+      core_.private_handle, ros_common::unsubscribingOutside(core_.gate, [this] { return followReaders(); }));
   addOutputs(*outputs_);
-  processor_ = std::make_unique<FrameProcessor>(*core_.parameters, core_.handle.resolveName(kCameraInfo),
+  processor_ = std::make_unique<FrameProcessor>(*core_.parameters, core_.inputs.resolvedName(kCameraInfo),
                                                 *outputs_, core_.statistics, core_.log);
-  core_.parameters.serve(ros_common::gated(core_.gate, [this](const PerceptionParameters& parameters) {
+  core_.parameters.serve(core_.gate, [this](const PerceptionParameters& parameters) {
     processor_->configure(parameters.pipeline);
-  }));
+  });
   addInputs();
   advertiseReset();
   constexpr bool kOneShot = false;
@@ -82,7 +88,6 @@ PerceptionNode::Implementation::Implementation(const ros::NodeHandle& handle,
   diagnostics_ = std::make_unique<ros_common::DiagnosticsReporter>(
       core_.handle, core_.private_handle, core_.gate, core_.log, [this] { return retrySubscription(); },
       [this](auto& status) { diagnose(status); });
-  retired = followReaders();
 }
 
 void PerceptionNode::Implementation::addInputs()
@@ -126,12 +131,12 @@ void PerceptionNode::Implementation::advertiseReset()
   reset_ = core_.private_handle.advertiseService("reset", reset);
 }
 
-ros_common::InputTopics::Retired PerceptionNode::Implementation::followReaders()
+ros_common::InputTopics::Unsubscribed PerceptionNode::Implementation::followReaders()
 {
-  return core_.followInputs(!core_.parameters->lazy || outputs_->hasReaders());
+  return core_.setSubscribed(!core_.parameters->lazy || outputs_->hasReaders());
 }
 
-ros_common::InputTopics::Retired PerceptionNode::Implementation::retrySubscription()
+ros_common::InputTopics::Unsubscribed PerceptionNode::Implementation::retrySubscription()
 {
   if (core_.inputs.error().empty()) return {};
   return followReaders();

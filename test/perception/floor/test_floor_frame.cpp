@@ -31,6 +31,9 @@ TEST(FloorFrame, LookingStraightDownStillGivesARotation)
   EXPECT_TRUE((m.linear() * m.linear().transpose()).isIdentity(1e-12)) << m.linear();
 }
 
+const Eigen::Vector3d kOpticalUp = -Eigen::Vector3d::UnitY();
+const Eigen::Vector3d kBodyUp = Eigen::Vector3d::UnitZ();
+
 /// A cloud of a wide camera, 120 degrees across, 0.8 m above a floor and before a wall, in the frame of any
 /// axes.
 class WideView
@@ -52,7 +55,7 @@ public:
     }
   }
 
-  std::optional<Eigen::Vector3d> forward() const
+  std::optional<Eigen::Vector3d> forward(const Eigen::Vector3d& up) const
   {
     PointView::CloudStrides strides;
     strides.point_step = sizeof(Eigen::Vector3f);
@@ -60,7 +63,7 @@ public:
     const PointView view = PointView::cloud(points_.data(), kWidth, 48, strides);
     SampleGrid samples{SampleGrid::Parameters{}};
     samples.update(view);
-    return forwardAxis(view, samples);
+    return forwardAxis(view, samples, up);
   }
 
 private:
@@ -78,23 +81,36 @@ Eigen::Matrix3f intoBodyFrame()
 
 TEST(ForwardAxis, IsTheViewingAxisOfOpticalAndBodyFrames)
 {
-  EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), 0, 63).forward(), Eigen::Vector3d::UnitZ());
-  EXPECT_EQ(WideView(intoBodyFrame(), 0, 63).forward(), Eigen::Vector3d::UnitX());
+  EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), 0, 63).forward(kOpticalUp), Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(WideView(intoBodyFrame(), 0, 63).forward(kBodyUp), Eigen::Vector3d::UnitX());
 }
 
 TEST(ForwardAxis, DoesNotTurnToTheSideThatReturnsPoints)
 {
   for (const auto& [first, last] : {std::pair(0, 12), std::pair(50, 63)}) {
-    EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), first, last).forward(), Eigen::Vector3d::UnitZ())
+    EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), first, last).forward(kOpticalUp),
+              Eigen::Vector3d::UnitZ())
         << "columns " << first << " to " << last;
-    EXPECT_EQ(WideView(intoBodyFrame(), first, last).forward(), Eigen::Vector3d::UnitX())
+    EXPECT_EQ(WideView(intoBodyFrame(), first, last).forward(kBodyUp), Eigen::Vector3d::UnitX())
         << "columns " << first << " to " << last;
+  }
+}
+
+TEST(ForwardAxis, IsNotDownInAFrameThatIsKeptLevelBelowASteepCamera)
+{
+  for (const double pitch : {0.3, 0.8, 1.2}) {
+    const Eigen::Matrix3f level =
+        Eigen::AngleAxisf(static_cast<float>(pitch), Eigen::Vector3f::UnitY()) * intoBodyFrame();
+    EXPECT_EQ(WideView(level, 0, 63).forward(kBodyUp), Eigen::Vector3d::UnitX()) << "pitch " << pitch;
+    // In the camera's own body frame up tilts instead.
+    const Eigen::Vector3d up(-std::sin(pitch), 0.0, std::cos(pitch));
+    EXPECT_EQ(WideView(intoBodyFrame(), 0, 63).forward(up), Eigen::Vector3d::UnitX()) << "pitch " << pitch;
   }
 }
 
 TEST(ForwardAxis, IsUnknownWithoutAReturn)
 {
-  EXPECT_FALSE(WideView(Eigen::Matrix3f::Identity(), 64, 64).forward());
+  EXPECT_FALSE(WideView(Eigen::Matrix3f::Identity(), 64, 64).forward(kOpticalUp));
 }
 
 }  // namespace

@@ -16,10 +16,11 @@ namespace polygonal_perception::simulation_ros {
 /// ground_truth/obstacles (PolygonArray, world frame, not inflated).
 ///
 /// Private parameters: camera; scene (one of simulation::sceneNames()), trajectory (one of
-/// trajectoryNames()), seed; rate [Hz]; width, height [px]; noise (false: ideal depth) and noise_<name> for
-/// each of DepthNoise::Parameters; min_height, max_height [m] of the true obstacles; publish_tf, world_frame
-/// (odom), base_frame (base_link), camera_frame (camera_link), optical_frame (camera_depth_optical_frame).
-/// One that is not acceptable is refused with a message in the log, and its default stays.
+/// trajectoryNames()), seed; rate [Hz]; width, height [px]; noise (false: ideal depth, whatever follows) and
+/// noise_<name> for each of DepthNoise::Parameters; min_height, max_height [m] of the true obstacles;
+/// publish_tf, world_frame (odom), base_frame (base_link), camera_frame (camera_link), optical_frame
+/// (camera_depth_optical_frame). One that is not acceptable is refused with a message in the log, and its
+/// default stays.
 class POLYGONAL_PERCEPTION_EXPORT SimulatedCameraNode
 {
 public:

@@ -25,13 +25,16 @@ POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d floorFrame(const geometry::Plane& 
                                                          const Eigen::Vector3d& forward);
 
 /// The camera's forward direction in the input's frame: z for a depth image, whose frame is an optical one.
-/// For a cloud the frame's axis along which its returns lie, for a camera looks at nothing that is behind it:
-/// z in an optical frame (REP 103), x in a body frame, and nobody has to say which. Where returns lie along
-/// both, as in a wide view with returns on one side only, it is z: seen in a body frame, the floor lies
-/// below, not along z.
+/// For a cloud the frame's axis that has all returns ahead of it, for a camera looks at nothing that is behind
+/// it: z in an optical frame (REP 103), x in a body frame, and nobody has to say which. z comes first and then
+/// x, so that a wide view with returns on one side only does not turn it. Other axes stand in only where they
+/// are not vertical: a camera that looks steeply down sees everything along "down" in a frame that is kept
+/// level. Where no axis has all of them ahead, it is the one along which they lie in the mean.
 ///
+/// @param up  the floor's normal, or what is known of up without a floor; any length
 /// @return a unit axis, or nothing where no sample has a point
 POLYGONAL_PERCEPTION_EXPORT std::optional<Eigen::Vector3d> forwardAxis(const PointView& points,
-                                                                       const SampleGrid& samples);
+                                                                       const SampleGrid& samples,
+                                                                       const Eigen::Vector3d& up);
 
 }  // namespace polygonal_perception::perception

@@ -30,6 +30,9 @@ public:
     is_open_ = false;
   }
 
+  /// The same from inside, by who holds the lock: who waits outside does not come in any more.
+  void closeInside() { is_open_ = false; }
+
 private:
   std::mutex mutex_;
   bool is_open_ = true;

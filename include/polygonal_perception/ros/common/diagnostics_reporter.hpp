@@ -29,7 +29,7 @@ public:
   /// @param fill    fills in a report
   DiagnosticsReporter(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                       std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
-                      std::function<InputTopics::Retired()> retry, std::function<void(Status&)> fill);
+                      std::function<InputTopics::Unsubscribed()> retry, std::function<void(Status&)> fill);
 
 private:
   void report();

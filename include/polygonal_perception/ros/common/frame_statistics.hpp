@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -61,7 +62,9 @@ public:
     ++answered_;
     DurationStatistics::Duration total = messages;
     auto stage = stages_.begin();
-    StageTimes::describe(times, [&](const char* /*name*/, DurationStatistics::Duration time) {
+    StageTimes::describe(times, [&](const char* name, DurationStatistics::Duration time) {
+      assert(stage->first == name);
+      static_cast<void>(name);
       (stage++)->second.add(time);
       total += time;
     });

@@ -24,7 +24,7 @@ class POLYGONAL_PERCEPTION_EXPORT InputTopics
 public:
   /// Subscriptions that are over. To be destroyed outside of the gate: roscpp then waits for a callback that
   /// is under way, which may be waiting to come in.
-  using Retired = std::vector<ros::Subscriber>;
+  using Unsubscribed = std::vector<ros::Subscriber>;
 
   /// @param handle  whose queue serves the callbacks
   /// @param node    the node's name; its inputs are beside it
@@ -34,17 +34,20 @@ public:
   InputTopics(const InputTopics&) = delete;
   InputTopics& operator=(const InputTopics&) = delete;
 
-  /// Adds a topic, before the first start. The first one is what the node waits for; it is subscribed last.
+  /// Adds a topic, before the first subscription. The first one is what the node waits for: it is subscribed
+  /// last, and none of its messages is handed over twice.
   template <class Message>
   void add(const char* topic, std::function<void(const boost::shared_ptr<const Message>&)> action)
   {
     // In full: a nodelet of the root namespace in a manager of another one has a handle whose relative names
     // fall into the manager's namespace, past the nodelet's remappings.
     const std::string name = ros::names::append(namespace_, topic);
-    topics_.push_back({name, [this, name, action = std::move(action)] {
+    const bool is_first = topics_.empty();
+    topics_.push_back({name, [this, name, is_first, action = std::move(action)] {
                          const auto last = std::make_shared<boost::weak_ptr<const void>>();
-                         const auto take = [last, action](const boost::shared_ptr<const Message>& message) {
-                           if (isNew(message, *last)) action(message);
+                         const auto take = [last, is_first,
+                                            action](const boost::shared_ptr<const Message>& message) {
+                           if (!is_first || isNew(message, *last)) action(message);
                          };
                          return handle_.subscribe<Message>(name, kQueueSize, gated(gate_, take), nullptr,
                                                            ros::TransportHints().tcpNoDelay());
@@ -59,7 +62,13 @@ public:
   }
 
   /// Subscribes if that is wanted, and leaves if not; where it cannot subscribe, error() says why.
-  Retired follow(bool wanted);
+  Unsubscribed setSubscribed(bool wanted);
+
+  /// A topic's name in full, with the node's remappings.
+  std::string resolvedName(const char* topic) const
+  {
+    return handle_.resolveName(ros::names::append(namespace_, topic));
+  }
 
   bool active() const { return !subscribers_.empty(); }
   /// Why it could not subscribe, or empty.
@@ -77,7 +86,7 @@ private:
     std::function<ros::Subscriber()> subscribe;
   };
 
-  Retired start();
+  Unsubscribed start();
   static bool isNew(const boost::shared_ptr<const void>& message, boost::weak_ptr<const void>& last);
 
   ros::NodeHandle handle_;
@@ -92,12 +101,12 @@ private:
 
 /// A callback that runs `update` inside the gate and ends the subscriptions that it returns outside of it.
 template <class Update>
-auto retiringOutside(const std::shared_ptr<CallbackGate>& gate, Update update)
+auto unsubscribingOutside(const std::shared_ptr<CallbackGate>& gate, Update update)
 {
   return [gate, update](const auto&...) {
-    InputTopics::Retired retired;
+    InputTopics::Unsubscribed unsubscribed;
     const auto inside = gate->enter();
-    if (inside.owns_lock()) retired = update();
+    if (inside.owns_lock()) unsubscribed = update();
   };
 }
 

@@ -17,10 +17,8 @@ namespace polygonal_perception::ros_common {
 /// What every node stands on: its handles, its parameters in force, its log, its input topics, what became of
 /// its input, and the gate that its callbacks go through.
 ///
-/// A node holds it as its first member, makes its other members inside the gate, and closes it first of all
-/// in its destructor:
-///
-///     Node::~Node() { core_.close(); }
+/// A node holds it as its first member, makes all that callbacks use by core_.make(), and begins its
+/// destructor with core_.close().
 ///
 /// The handles' queue may be served by any thread, one callback at a time, as a nodelet's single-threaded
 /// queue is.
@@ -39,6 +37,21 @@ struct NodeCore
   {
   }
 
+  /// Makes what callbacks use: none comes in before all of it stands, nor ever if that fails.
+  /// @param make  may throw; returns subscriptions that are over
+  template <class Make>
+  void make(Make&& make)
+  {
+    InputTopics::Unsubscribed unsubscribed;  // ends outside of the gate
+    const auto inside = gate->enter();
+    try {
+      unsubscribed = make();
+    } catch (...) {
+      gate->closeInside();
+      throw;
+    }
+  }
+
   /// Waits for the callback that is under way; after this none runs.
   void close()
   {
@@ -48,11 +61,11 @@ struct NodeCore
 
   /// Subscribes to the inputs if that is wanted, leaves them if not, and says in the log why it cannot.
   /// @return to be destroyed outside of the gate
-  InputTopics::Retired followInputs(bool wanted)
+  InputTopics::Unsubscribed setSubscribed(bool wanted)
   {
-    InputTopics::Retired retired = inputs.follow(wanted);
+    InputTopics::Unsubscribed unsubscribed = inputs.setSubscribed(wanted);
     if (!inputs.error().empty()) log.error("subscription", "cannot subscribe to " + inputs.error());
-    return retired;
+    return unsubscribed;
   }
 
   std::shared_ptr<CallbackGate> gate = std::make_shared<CallbackGate>();

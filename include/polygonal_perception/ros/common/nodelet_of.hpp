@@ -45,7 +45,10 @@ int runNode(int argc, char** argv, const std::string& name)
     const Node node(handle, private_handle);
     ros::spin();
   } catch (const std::exception& error) {
-    ROS_FATAL("could not start: %s", error.what());
+    ROS_FATAL("%s has failed: %s", name.c_str(), error.what());
+    return 1;
+  } catch (...) {
+    ROS_FATAL("%s has failed, for an unknown reason", name.c_str());
     return 1;
   }
   return 0;

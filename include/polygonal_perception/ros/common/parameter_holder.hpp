@@ -62,22 +62,27 @@ public:
   const Parameters* operator->() const { return &values_; }
 
   /// Begins to take sets from clients.
-  /// @param changed  called from the handle's queue with each new set that is good as a whole, before it is
+  /// @param gate     values change inside it
+  /// @param changed  called there with each new set that is good as a whole, before it is
   ///                 in force
-  void serve(std::function<void(const Parameters&)> changed)
+  void serve(std::shared_ptr<CallbackGate> gate, std::function<void(const Parameters&)> changed)
   {
     Parameters defaults;
-    server_ = std::make_unique<ReconfigureServer>(
-        handle_, listParameters(defaults), listParameters(values_),
-        [this, changed = std::move(changed)](const dynamic_reconfigure::Config& config) {
-          Parameters wanted = values_;
-          std::string error = mergeConfig(config, listParameters(wanted));
-          if (!error.empty()) return error;
-          if (const auto fault = parameters::findFault(wanted)) return fault->reason;
-          changed(wanted);
-          values_ = wanted;
-          return error;
-        });
+    server_ =
+        std::make_unique<ReconfigureServer>(handle_, listParameters(defaults), listParameters(values_),
+                                            [this, gate = std::move(gate), changed = std::move(changed)](
+                                                const dynamic_reconfigure::Config& config) {
+                                              const auto inside = gate->enter();
+                                              if (!inside.owns_lock()) return std::string("the node ends");
+                                              Parameters wanted = values_;
+                                              std::string error = mergeConfig(config, listParameters(wanted));
+                                              if (!error.empty()) return error;
+                                              if (const auto fault = parameters::findFault(wanted))
+                                                return fault->reason;
+                                              changed(wanted);
+                                              values_ = wanted;
+                                              return error;
+                                            });
   }
 
   /// Ends the service; waits for a call under way, and no other comes through.
