@@ -1,12 +1,11 @@
 #include "polygonal_perception/ros/common/polygon_messages.hpp"
 
+#include <array>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
-
-#include "polygonal_perception/geometry/measures.hpp"
 
 namespace polygonal_perception::ros_common {
 
@@ -17,10 +16,9 @@ geometry_msgs::Polygon toExtent(const Eigen::AlignedBox2d& box, const Eigen::Iso
   if (box.isEmpty()) return {};
   const Eigen::Vector2d& low = box.min();
   const Eigen::Vector2d& high = box.max();
-  const std::vector<Eigen::Vector2d> corners = {
-      output_pose * low, output_pose * Eigen::Vector2d(high.x(), low.y()), output_pose * high,
-      output_pose * Eigen::Vector2d(low.x(), high.y())};
-  return toPolygon(corners);
+  const std::array<Eigen::Vector2d, 4> corners = {low, Eigen::Vector2d(high.x(), low.y()), high,
+                                                  Eigen::Vector2d(low.x(), high.y())};
+  return toPolygon({corners.data(), corners.size()}, output_pose);
 }
 
 /// Appends a ring that can be drawn.
@@ -63,22 +61,22 @@ PolygonArrayPtr toPolygonArray(const PolygonContext& context, const geometry::Po
   if (context.floor_status == FloorPlane::NOT_FOUND) return message;
 
   message->extent = toExtent(context.extent, output_pose);
-  const geometry::PolygonSet placed = geometry::transformed(polygons, output_pose);
-  for (const geometry::PolygonSet::Ring& ring : placed.rings) {
+  for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
     geometry_msgs::Polygon& points =
         ring.hole ? message->polygons.back().holes.emplace_back() : message->polygons.emplace_back().boundary;
-    points = toPolygon(placed.view(ring));
+    points = toPolygon(polygons.view(ring), output_pose);
   }
   return message;
 }
 
-geometry_msgs::Polygon toPolygon(const geometry::RingView& ring)
+geometry_msgs::Polygon toPolygon(const geometry::RingView& ring, const Eigen::Isometry2d& pose)
 {
   geometry_msgs::Polygon polygon;
   polygon.points.resize(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    polygon.points[k].x = static_cast<float>(ring[k].x());
-    polygon.points[k].y = static_cast<float>(ring[k].y());
+    const Eigen::Vector2f vertex = (pose * ring[k]).cast<float>();
+    polygon.points[k].x = vertex.x();
+    polygon.points[k].y = vertex.y();
   }
   return polygon;
 }

@@ -35,8 +35,10 @@ POLYGONAL_PERCEPTION_EXPORT PolygonArrayPtr toPolygonArray(const PolygonContext&
                                                            const geometry::PolygonSet& polygons,
                                                            const Eigen::Isometry2d& output_pose);
 
+/// @param pose  of the ring's frame in the polygon's
 /// @return the ring's vertices in their order, rounded to float32, z = 0
-POLYGONAL_PERCEPTION_EXPORT geometry_msgs::Polygon toPolygon(const geometry::RingView& ring);
+POLYGONAL_PERCEPTION_EXPORT geometry_msgs::Polygon toPolygon(
+    const geometry::RingView& ring, const Eigen::Isometry2d& pose = Eigen::Isometry2d::Identity());
 
 /// @return the polygon's points in their order, unchecked, without their z; for a PolygonArray's extent
 POLYGONAL_PERCEPTION_EXPORT std::vector<Eigen::Vector2d> toVertices(const geometry_msgs::Polygon& polygon);
