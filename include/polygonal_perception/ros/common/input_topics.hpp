@@ -17,8 +17,8 @@
 
 namespace polygonal_perception::ros_common {
 
-/// A node's input topics, subscribed and left together, as a lazy node does with its readers. Hands over each
-/// message once, uncopied, and only the newest: one that waited is dropped for it.
+/// A node's input topics, subscribed and left together, as a lazy node does with its readers. Messages are
+/// handed over uncopied, and only the newest: one that waited is dropped for it.
 class POLYGONAL_PERCEPTION_EXPORT InputTopics
 {
 public:
