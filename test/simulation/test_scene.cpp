@@ -55,6 +55,30 @@ TEST(Scene, FloorLiesAtZeroAndTheLowerFloorBelowIt)
   }
 }
 
+TEST(Scene, WhatIsRaisedBeginsBeforeTheRobotAndIsThreeTo28CentimetresHigh)
+{
+  for (const char* name : {"dais", "pallet", "kerb", "threshold", "ramp", "carpet"}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      // Of the large solids that stand on the floor, walls and ceiling aside, the highest vertex.
+      float top = 0.0F;
+      for (const Solid& solid : makeScene(name, seed).solids) {
+        float low = 1e9F;
+        float high = -1e9F;
+        float area = 0.0F;
+        for (const Eigen::Vector3f& p : solid.vertices) {
+          low = std::min(low, p.z());
+          high = std::max(high, p.z());
+          area = std::max(area, (p - solid.vertices[0]).head<2>().norm());
+        }
+        if (solid.surface == Surface::kObstacle && low < 0.2F && high < 0.3F && area > 0.5F)
+          top = std::max(top, high);
+      }
+      EXPECT_GE(top, 0.03F) << name << ' ' << seed;
+      EXPECT_LE(top, 0.285F) << name << ' ' << seed;
+    }
+  }
+}
+
 TEST(Scene, ObstaclesAreThoseOfTheBandAndMoveWithThePeople)
 {
   Scene scene;

@@ -63,23 +63,31 @@ TEST(Trajectory, EverySceneHasRoomForEachAndNothingIsInTheCamera)
 TEST(Trajectory, RangesAreKept)
 {
   const Scene scene = makeScene("office", 3);
-  for (const std::string name : {"smooth_low", "smooth_high", "independent_low", "independent_high"}) {
-    const auto trajectory = makeTrajectory(name, scene, 3);
-    const bool low = name.find("low") != std::string::npos;
-    double steepest = 0.0;
-    double flattest = 1.0;
-    for (int frame = 0; frame < 3000; ++frame) {
-      const Eigen::Isometry3d pose = trajectory->pose(frame / 30.0);
-      EXPECT_GE(pose.translation().z(), low ? 0.4 : 0.7);
-      EXPECT_LE(pose.translation().z(), low ? 0.7 : 1.5);
-      EXPECT_GE(pitchOf(pose), -1e-9);
-      EXPECT_LE(pitchOf(pose), 45 * kDegree + 1e-9);
-      EXPECT_LE(std::abs(rollOf(pose)), 15 * kDegree + 1e-9);
-      steepest = std::max(steepest, pitchOf(pose));
-      flattest = std::min(flattest, pitchOf(pose));
+  struct Range
+  {
+    std::string kind;
+    double low;
+    double high;
+  };
+  for (const Range& range : {Range{"lowest", 0.2, 0.5}, Range{"low", 0.4, 0.7}, Range{"high", 0.7, 1.5}}) {
+    for (const std::string motion : {"smooth_", "independent_"}) {
+      const std::string name = motion + range.kind;
+      const auto trajectory = makeTrajectory(name, scene, 3);
+      double steepest = 0.0;
+      double flattest = 1.0;
+      for (int frame = 0; frame < 3000; ++frame) {
+        const Eigen::Isometry3d pose = trajectory->pose(frame / 30.0);
+        EXPECT_GE(pose.translation().z(), range.low) << name;
+        EXPECT_LE(pose.translation().z(), range.high) << name;
+        EXPECT_GE(pitchOf(pose), -1e-9);
+        EXPECT_LE(pitchOf(pose), 45 * kDegree + 1e-9);
+        EXPECT_LE(std::abs(rollOf(pose)), 15 * kDegree + 1e-9);
+        steepest = std::max(steepest, pitchOf(pose));
+        flattest = std::min(flattest, pitchOf(pose));
+      }
+      EXPECT_GT(steepest, 35 * kDegree) << name;
+      EXPECT_LT(flattest, 10 * kDegree) << name;
     }
-    EXPECT_GT(steepest, 35 * kDegree) << name;
-    EXPECT_LT(flattest, 10 * kDegree) << name;
   }
 }
 

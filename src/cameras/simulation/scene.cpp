@@ -15,15 +15,21 @@ struct Layout
   void (*lay_out)(Scene&, Random&);
 };
 
-constexpr std::array<Layout, 9> kLayouts{{{"corridor", layOutCorridor},
-                                          {"office", layOutOffice},
-                                          {"busy_office", layOutBusyOffice},
-                                          {"person", layOutPerson},
-                                          {"table_top", layOutTableTop},
-                                          {"wall", layOutWall},
-                                          {"doorway", layOutDoorway},
-                                          {"stairs", layOutStairs},
-                                          {"ledge", layOutLedge}}};
+constexpr std::array<Layout, 15> kLayouts{{{"corridor", layOutCorridor},
+                                           {"office", layOutOffice},
+                                           {"busy_office", layOutBusyOffice},
+                                           {"person", layOutPerson},
+                                           {"table_top", layOutTableTop},
+                                           {"wall", layOutWall},
+                                           {"doorway", layOutDoorway},
+                                           {"stairs", layOutStairs},
+                                           {"ledge", layOutLedge},
+                                           {"dais", layOutDais},
+                                           {"pallet", layOutPallet},
+                                           {"kerb", layOutKerb},
+                                           {"threshold", layOutThreshold},
+                                           {"ramp", layOutRamp},
+                                           {"carpet", layOutCarpet}}};
 
 }  // namespace
 

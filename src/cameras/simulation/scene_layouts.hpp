@@ -15,5 +15,11 @@ void layOutWall(Scene& scene, Random& random);
 void layOutDoorway(Scene& scene, Random& random);
 void layOutStairs(Scene& scene, Random& random);
 void layOutLedge(Scene& scene, Random& random);
+void layOutDais(Scene& scene, Random& random);
+void layOutPallet(Scene& scene, Random& random);
+void layOutKerb(Scene& scene, Random& random);
+void layOutThreshold(Scene& scene, Random& random);
+void layOutRamp(Scene& scene, Random& random);
+void layOutCarpet(Scene& scene, Random& random);
 
 }  // namespace polygonal_perception::simulation

@@ -221,17 +221,21 @@ Eigen::Isometry3d opticalPose(const Eigen::Vector3d& position, double yaw, doubl
 const std::vector<std::string>& trajectoryNames()
 {
   static const std::vector<std::string> names{
-      "robotino", "nao", "smooth_low", "smooth_high", "independent_low", "independent_high"};
+      "robotino",         "nao",           "smooth_low",        "smooth_high", "independent_low",
+      "independent_high", "smooth_lowest", "independent_lowest"};
   return names;
 }
 
 std::unique_ptr<Trajectory> makeTrajectory(const std::string& name, const Scene& scene, std::uint64_t seed)
 {
+  constexpr Heights kLowest{0.2, 0.5};
   constexpr Heights kLow{0.4, 0.7};
   constexpr Heights kHigh{0.7, 1.5};
   const Random random(seed, 1000);
   if (name == "robotino") return std::make_unique<DrivingTrajectory>(scene, random);
   if (name == "nao") return std::make_unique<WalkingTrajectory>(scene, random);
+  if (name == "smooth_lowest") return std::make_unique<HandheldTrajectory>(scene, random, kLowest);
+  if (name == "independent_lowest") return std::make_unique<IndependentTrajectory>(scene, seed, kLowest);
   if (name == "smooth_low") return std::make_unique<HandheldTrajectory>(scene, random, kLow);
   if (name == "smooth_high") return std::make_unique<HandheldTrajectory>(scene, random, kHigh);
   if (name == "independent_low") return std::make_unique<IndependentTrajectory>(scene, seed, kLow);

@@ -19,7 +19,7 @@ struct ViewArea
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();  ///< [m] along and across yaw
   double yaw = 0.0;                                     ///< [rad]
   double yaw_spread = 0.0;                              ///< [rad] headings are yaw +- this
-  double min_camera_height = 0.4;                       ///< [m]
+  double min_camera_height = 0.2;                       ///< [m]
   double max_camera_height = 1.5;                       ///< [m]
 };
 
@@ -41,7 +41,8 @@ struct POLYGONAL_PERCEPTION_EXPORT Scene
 };
 
 /// The kinds of scenes: corridor, office, busy_office (somebody walks about in it), person, table_top, wall,
-/// doorway, stairs, ledge.
+/// doorway; stairs, ledge (the robot's floor ends); dais, pallet, kerb, threshold, ramp, carpet (something level
+/// is raised by 3 to 28 cm and fills much of the view).
 POLYGONAL_PERCEPTION_EXPORT const std::vector<std::string>& sceneNames();
 
 /// Lays a scene out. Another seed moves, swaps and resizes everything in it.

@@ -31,9 +31,10 @@ POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d opticalPose(const Eigen::Vector3d&
 /// The kinds of trajectories:
 /// - robotino: a wheeled robot drives about, camera 0.6..1.0 m up, slight vibration;
 /// - nao: a humanoid walks, camera about 0.5 m up, sways, nods and shakes at each heel strike;
-/// - smooth_low, smooth_high: hand-held, height 0.4..0.7 or 0.7..1.5 m, pitch 0..45 deg, roll +-15 deg, all
-/// changing smoothly;
-/// - independent_low, independent_high: the same ranges, a pose of its own for each frame at 30 Hz.
+/// - smooth_lowest, smooth_low, smooth_high: hand-held, height 0.2..0.5, 0.4..0.7 or 0.7..1.5 m, pitch 0..45
+/// deg, roll +-15 deg, all changing smoothly;
+/// - independent_lowest, independent_low, independent_high: the same ranges, a pose of its own for each frame at
+/// 30 Hz.
 POLYGONAL_PERCEPTION_EXPORT const std::vector<std::string>& trajectoryNames();
 
 /// @throws std::invalid_argument when there is no trajectory of that name
