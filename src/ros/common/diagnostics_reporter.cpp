@@ -9,10 +9,11 @@ namespace polygonal_perception::ros_common {
 
 namespace {
 
-/// The updater reads the period when it is made: by then it must be one that it survives.
+/// The updater reads the period when it is made, from the server: by then it must be one that it survives. What an
+/// earlier node of this process has cached may be another one.
 const ros::NodeHandle& withCheckedPeriod(const ros::NodeHandle& private_handle)
 {
-  ensureDiagnosticPeriod(private_handle);
+  ensureDiagnosticPeriod(private_handle, PeriodSource::kServer);
   return private_handle;
 }
 
@@ -29,18 +30,18 @@ DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ro
   updater_.setHardwareID("none");
   updater_.add("frames", std::move(fill));
   // The updater may have read another value, one that never ends, of a parameter that changes just now.
-  timer_ =
-      ros::NodeHandle(handle).createWallTimer(ros::WallDuration(ensureDiagnosticPeriod(private_handle_)),
-                                              unsubscribingOutside(gate, [this, retry = std::move(retry)] {
-                                                InputTopics::Unsubscribed unsubscribed = retry();
-                                                report();
-                                                return unsubscribed;
-                                              }));
+  timer_ = ros::NodeHandle(handle).createWallTimer(
+      ros::WallDuration(ensureDiagnosticPeriod(private_handle_, PeriodSource::kCache)),
+      unsubscribingOutside(gate, [this, retry = std::move(retry)] {
+        InputTopics::Unsubscribed unsubscribed = retry();
+        report();
+        return unsubscribed;
+      }));
 }
 
 void DiagnosticsReporter::report()
 {
-  ensureDiagnosticPeriod(private_handle_);
+  ensureDiagnosticPeriod(private_handle_, PeriodSource::kCache);
   // It adds its period to the clock, which throws at the end of ROS's time.
   try {
     updater_.force_update();
