@@ -21,13 +21,13 @@ public:
   void boundHeight(double highest) override
   {
     perception::FloorDetector::Parameters detector;
-    detector.max_camera_height = highest;
+    detector.selection.max_camera_height = highest;
     tracker_.configure({}, detector);
   }
   Answer see(const perception::PointView& points, const perception::SampleGrid& grid, double stamp) override
   {
     const perception::FloorState& state = tracker_.update(points, grid, stamp, std::nullopt);
-    return {state.status, state.floor.plane};
+    return {state.status, state.floor.plane, state.floor.covariance};
   }
 
 private:
@@ -47,7 +47,7 @@ public:
     const auto plane = detect(points, grid, up_);
     if (!plane) return {};
     up_ = plane->normal;
-    return {perception::FloorStatus::kFound, *plane};
+    return {perception::FloorStatus::kFound, *plane, std::nullopt};
   }
 
 private:

@@ -8,8 +8,8 @@
 
 #include "polygonal_perception/geometry/plane.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::evaluation {
 
@@ -18,6 +18,8 @@ struct Answer
 {
   perception::FloorStatus status = perception::FloorStatus::kNotFound;
   geometry::Plane plane;
+  /// Of the normal's three components and the distance, where a method tells.
+  std::optional<Eigen::Matrix4d> covariance = std::nullopt;
 };
 
 /// A way to find the floor in a sequence of frames.

@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::evaluation {
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "floor_methods.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
+#include "reference/error_statistics.hpp"
 
 namespace polygonal_perception::evaluation {
 
@@ -23,11 +25,24 @@ public:
   static std::string head();
   static std::string rule();
 
+  /// How honest the covariances were: the share of frames in which all three quantities lay within three standard
+  /// deviations, and for each three of those over the error's 99 % quantile. Empty where the method gives none.
+  std::string covarianceText() const;
+
+  int wrong() const { return wrong_; }
+  int off() const { return off_; }
+  int missed() const { return missed_ + held_; }
+  int guessed() const { return guessed_; }
+  /// [deg] A quantile of the normals' errors.
+  double degrees(double share) const;
+
 private:
   std::vector<double> degrees_;
   std::vector<double> millimetres_;
+  std::vector<std::array<reference::ErrorAndSigma, 3>> uncertainties_;
   int frames_ = 0;
   int wrong_ = 0;    // over 5 degrees or 5 cm, in a frame with at least 2 % floor
+  int off_ = 0;      // right, but over 0.3 degrees or 5 mm
   int missed_ = 0;   // NOT_FOUND in such a frame
   int held_ = 0;     // HELD in such a frame
   int guessed_ = 0;  // a wrong plane in a frame with less floor, or none

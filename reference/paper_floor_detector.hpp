@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::reference {
 

@@ -29,8 +29,8 @@ std::optional<ParameterFault> Pipeline::Parameters::conflict() const
                                             projection.max_height)) {
     return fault;
   }
-  if (auto fault = parameters::findDisorder("min_camera_height", detector.min_camera_height,
-                                            "max_camera_height", detector.max_camera_height)) {
+  if (auto fault = parameters::findDisorder("min_camera_height", detector.selection.min_camera_height,
+                                            "max_camera_height", detector.selection.max_camera_height)) {
     return fault;
   }
   if (auto fault = findTooManyCells(grid)) return fault;

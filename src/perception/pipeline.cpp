@@ -98,13 +98,18 @@ void Pipeline::findForward(const Frame& frame)
   }
 }
 
+void Pipeline::skip()
+{
+  clearResult({});
+  result_.floor = FloorState{};
+  result_.forward = forward_.value_or(Eigen::Vector3d::UnitZ());
+}
+
 void Pipeline::reset()
 {
   tracker_.reset();
   forward_.reset();
-  clearResult({});
-  result_.floor = FloorState{};
-  result_.forward = Eigen::Vector3d::UnitZ();
+  skip();
   result_.floor_hull.clear();
 }
 

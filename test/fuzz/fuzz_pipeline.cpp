@@ -52,8 +52,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   perception::Pipeline::Parameters parameters;
   parameters.tracker.up_feedback = bytes.byte() % 2 == 0;
   parameters.drop_offs.drop_height = bytes.byte() % 2 == 0 ? 0.0 : 0.1;
-  parameters.detector.max_camera_height = 20.0;
-  parameters.detector.min_camera_height = 0.0;
+  parameters.detector.selection.max_camera_height = 20.0;
+  parameters.detector.selection.min_camera_height = 0.0;
   perception::Pipeline pipeline{parameters};
   for (int k = 0; k < 3 && !bytes.empty(); ++k) {
     const double stamp = bytes.number<double>();

@@ -21,8 +21,8 @@ void requireSound(const perception::Pipeline::Result& result,
     require(std::abs(plane.normal.norm() - 1.0) < 1e-6, "the floor's normal has unit length");
     require(std::isfinite(plane.distance), "the floor's distance is finite");
     require(result.floor.status == perception::FloorStatus::kHeld ||
-                (plane.distance >= parameters.min_camera_height &&
-                 plane.distance <= parameters.max_camera_height),
+                (plane.distance >= parameters.selection.min_camera_height &&
+                 plane.distance <= parameters.selection.max_camera_height),
             "a floor that is found is at a height that the camera can have");
     require(result.floor.age >= 0.0, "a floor is not younger than now");
     require(result.to_floor_frame.matrix().allFinite(), "the floor frame is finite");

@@ -122,7 +122,7 @@ TEST_P(Allocations, OfThePipelineAreNoneOnceItIsWarm)
 TEST_P(Allocations, OfThePipelineAreNoneWhereThereIsNoFloor)
 {
   Pipeline::Parameters parameters;
-  parameters.detector.min_camera_height = 2.0;
+  parameters.detector.selection.min_camera_height = 2.0;
   Pipeline pipeline(parameters);
   Frame frame;
   const auto [warming, warm] = count([&](const PointView& points) {

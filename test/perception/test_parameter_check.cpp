@@ -30,7 +30,7 @@ TEST(ParameterCheck, NamesTheParameterItsValueAndItsRange)
 TEST(ParameterCheck, NaNIsOutOfEveryRange)
 {
   Pipeline::Parameters parameters;
-  parameters.detector.max_tilt = std::numeric_limits<double>::quiet_NaN();
+  parameters.detector.selection.max_tilt = std::numeric_limits<double>::quiet_NaN();
   const auto fault = findFault(parameters);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->names, Names{"max_tilt"});
@@ -46,7 +46,7 @@ TEST(ParameterCheck, HeightsMustBeInOrder)
   EXPECT_EQ(fault->reason, "min_height is 0.6 and max_height is 0.6, accepted is min_height < max_height");
 
   parameters = {};
-  parameters.detector.max_camera_height = 0.04;
+  parameters.detector.selection.max_camera_height = 0.04;
   fault = findFault(parameters);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->names, (Names{"min_camera_height", "max_camera_height"}));

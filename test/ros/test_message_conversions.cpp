@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "ros/perception/message_conversions.hpp"
 #include "ros/perception/obstacle_points.hpp"
 
@@ -36,8 +38,14 @@ Eigen::Isometry2d quarterTurn()
 
 TEST(MessageConversions, AFloorIsSaidWhole)
 {
-  const FloorPlanePtr message =
-      toFloorPlane(header(), floor(perception::FloorStatus::kHeld), {{1.0F, 2.0F, 3.0F}});
+  perception::FloorState state = floor(perception::FloorStatus::kHeld);
+  // The normal's third component errs, which is a tilt about the floor frame's y axis, and moves the distance.
+  state.floor.covariance(2, 2) = 4e-6;
+  state.floor.covariance(2, 3) = state.floor.covariance(3, 2) = 2e-6;
+  state.floor.covariance(3, 3) = 9e-6;
+  const Eigen::Isometry3d to_floor_frame =
+      perception::floorFrame(state.floor.plane, Eigen::Vector3d::UnitZ());
+  const FloorPlanePtr message = toFloorPlane(header(), state, to_floor_frame, {{1.0F, 2.0F, 3.0F}});
   EXPECT_EQ(message->header.stamp, header().stamp);
   EXPECT_EQ(message->header.frame_id, "frame");
   EXPECT_EQ(message->status, FloorPlane::HELD);
@@ -46,6 +54,11 @@ TEST(MessageConversions, AFloorIsSaidWhole)
   EXPECT_EQ(message->age, 0.25);
   EXPECT_EQ(message->sample_count, 321U);
   EXPECT_EQ(message->rms_error, 0.002);
+  // The frame's x axis is (0, -0.6, 0.8): 0.8 of the error lies along it.
+  const std::array<double, 6> covariance = {0.0, 0.0, 0.0, 0.64 * 4e-6, 0.8 * 2e-6, 9e-6};
+  for (std::size_t k = 0; k < covariance.size(); ++k) {
+    EXPECT_NEAR(message->covariance[k], covariance[k], 1e-15) << "entry " << k << " of the upper triangle";
+  }
   ASSERT_EQ(message->hull.size(), 1U);
   EXPECT_EQ(message->hull[0].z, 3.0F);
 
@@ -55,8 +68,8 @@ TEST(MessageConversions, AFloorIsSaidWhole)
 
 TEST(MessageConversions, NoFloorSaysNothingOfAnOldOne)
 {
-  const FloorPlanePtr message =
-      toFloorPlane(header(), floor(perception::FloorStatus::kNotFound), {{1.0F, 2.0F, 3.0F}});
+  const FloorPlanePtr message = toFloorPlane(header(), floor(perception::FloorStatus::kNotFound),
+                                             Eigen::Isometry3d::Identity(), {{1.0F, 2.0F, 3.0F}});
   EXPECT_EQ(message->status, FloorPlane::NOT_FOUND);
   EXPECT_EQ(message->distance, 0.0);
   EXPECT_TRUE(message->hull.empty());

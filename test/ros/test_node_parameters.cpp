@@ -77,7 +77,7 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 0.0});
   handle_.setParam("samples_x", 3.5);
   handle_.setParam("max_tilt", 3);
-  handle_.setParam("replacement_factor", "many");
+  handle_.setParam("lower_plane_weight", "many");
   const PerceptionParameters parameters = read();
   const std::string stays = "; the default stays";
   EXPECT_EQ(errors_,
@@ -90,11 +90,64 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
                        stays,
                    "parameter " + name + "/samples_x is 3.5, accepted is 4 to 256 (a whole number)" + stays,
                    "parameter " + name + "/max_tilt is 3, accepted is 0.01 to 1.4 rad" + stays,
-                   "parameter " + name + "/replacement_factor is many, accepted is 1 to 1000" + stays}));
+                   "parameter " + name + "/lower_plane_weight is many, accepted is 0 to 100" + stays}));
   EXPECT_EQ(parameters.input, "cloud");
   EXPECT_EQ(parameters.floor_frame, "floor");
   EXPECT_EQ(parameters.pipeline.samples.samples_x, 32);
   EXPECT_FALSE(polygonal_perception::parameters::findFault(parameters));
+}
+
+TEST_F(NodeParametersTest, ANameOfOldIsRefusedWithTheNewOne)
+{
+  handle_.setParam("merge_distance", 0.05);
+  handle_.setParam("replacement_factor", 10.0);
+  const PerceptionParameters parameters = read();
+  const std::string name = "parameter " + handle_.getNamespace();
+  const std::string rest = ", which means something else (README.md)";
+  EXPECT_EQ(errors_,
+            (Texts{name +
+                       "/merge_distance is refused: there is no such parameter any more, accepted is "
+                       "inlier_distance" +
+                       rest,
+                   name +
+                       "/replacement_factor is refused: there is no such parameter any more, accepted is "
+                       "lower_plane_weight" +
+                       rest}));
+  EXPECT_TRUE(warnings_.empty()) << "said once is enough: " << warnings_.front();
+  const PerceptionParameters defaults;
+  EXPECT_EQ(parameters.pipeline.detector.refinement.inlier_distance,
+            defaults.pipeline.detector.refinement.inlier_distance);
+}
+
+TEST_F(NodeParametersTest, TheKindOfSensorGivesItsNoise)
+{
+  const perception::SensorNoise xtion = read().pipeline.detector.planes.noise;
+  EXPECT_NEAR(xtion.at(0.4F), 0.0012F, 1e-6F);
+  EXPECT_NEAR(xtion.at(2.4F), 0.0012F + 0.0019F * 4.0F, 1e-6F);
+  handle_.setParam("sensor_noise", "realsense_d435");
+  const perception::SensorNoise realsense = read().pipeline.detector.planes.noise;
+  EXPECT_NEAR(realsense.at(0.3515F), 0.000611F, 1e-6F);
+  EXPECT_NEAR(realsense.at(2.3515F), 0.000611F + 0.003587F * 4.0F, 1e-5F);
+  handle_.setParam("sensor_noise", "time_of_flight");
+  EXPECT_NEAR(read().pipeline.detector.planes.noise.at(3.5F), 0.017F, 1e-3F);
+  handle_.setParam("sensor_noise", "lidar");
+  EXPECT_NEAR(read().pipeline.detector.planes.noise.at(20.0F), 0.022F, 1e-3F);
+}
+
+TEST_F(NodeParametersTest, ANoiseThatIsSetIsNotThatOfTheSensor)
+{
+  handle_.setParam("sensor_noise", "realsense_d435");
+  handle_.setParam("noise_quadratic", 0.01);
+  const perception::SensorNoise noise = read().pipeline.detector.planes.noise;
+  EXPECT_EQ(noise.quadratic, 0.01);
+  EXPECT_EQ(noise.constant, perception::SensorNoise::preset("realsense_d435")->constant);
+  handle_.setParam("sensor_noise", "kinect");
+  read();
+  ASSERT_EQ(errors_.size(), 1U);
+  EXPECT_EQ(errors_.front(),
+            "parameter " + handle_.getNamespace() +
+                "/sensor_noise is kinect, accepted is xtion, realsense_d435, time_of_flight, lidar; "
+                "the default stays");
 }
 
 TEST_F(NodeParametersTest, ValuesThatContradictEachOtherFallBackTogether)

@@ -34,7 +34,7 @@ class ParametersTest(unittest.TestCase):
         return self.client.ask(self.camera.cloud(self.camera.render(self.boxes), self.clock.tick()))
 
     def test_the_defaults_stay_in_the_place_of_refused_values(self):
-        for name, value in [('replacement_factor', 20.0), ('max_tilt', np.pi / 4), ('min_camera_height', 0.05),
+        for name, value in [('lower_plane_weight', 3.0), ('max_tilt', np.pi / 4), ('min_camera_height', 0.05),
                             ('max_camera_height', 3.0)]:
             self.assertAlmostEqual(rospy.get_param(NODE + '/' + name), value)
         self.assertEqual(self.answer()['polygons'].header.frame_id, 'floor')

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "clouds.hpp"
@@ -87,7 +88,25 @@ protected:
   {
     for (const auto& transform : message.transforms) transform_stamps_.push_back(transform.header.stamp);
   }
-  void onDiagnostics(const diagnostic_msgs::DiagnosticArray& /*report*/) { ++reports_; }
+  void onDiagnostics(const diagnostic_msgs::DiagnosticArray& report)
+  {
+    ++reports_;
+    for (const auto& status : report.status) {
+      for (const auto& entry : status.values) {
+        if (entry.key == "Frames rejected") rejected_ = std::stoul(entry.value);
+      }
+    }
+  }
+
+  /// Shows a frame that is refused.
+  void seeRefused(const sensor_msgs::PointCloud2ConstPtr& cloud)
+  {
+    const std::size_t answers = floor_answers_.size();
+    const unsigned long before = rejected_;
+    clouds_.publish(cloud);
+    waitFor("the frame to be refused", [&] { return rejected_ > before; });
+    EXPECT_EQ(floor_answers_.size(), answers) << "a refused frame was answered";
+  }
 
   ros::CallbackQueue queue_;
   ros::NodeHandle handle_{std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name()};
@@ -101,6 +120,7 @@ protected:
   std::vector<PolygonArray> polygon_answers_;
   std::vector<ros::Time> transform_stamps_;
   std::size_t reports_ = 0;
+  unsigned long rejected_ = 0;  // frames, as reported
   std::unique_ptr<ros_perception::PerceptionNode> node_;
 };
 
@@ -155,6 +175,21 @@ TEST_F(TimeTest, AnOlderStampStartsAnew)
   EXPECT_EQ(seeNothing(49.9), FloorPlane::NOT_FOUND) << "the floor of 50.0 is not known at 49.9";
   EXPECT_EQ(seeNothing(50.1), FloorPlane::NOT_FOUND) << "nor is it after that";
   EXPECT_EQ(see(50.2), FloorPlane::FOUND);
+}
+
+TEST_F(TimeTest, ARefusedFrameChangesNothingWhateverItsStamp)
+{
+  start();
+  for (const double stamp : {1.0, 49.9, 50.05, 4e9}) {
+    EXPECT_EQ(see(50.0), FloorPlane::FOUND);
+    const sensor_msgs::PointCloud2Ptr short_of_data = floorCloud(ros::Time(stamp));
+    short_of_data->data.resize(100);
+    seeRefused(short_of_data);
+    seeRefused(floorCloud(ros::Time(stamp), "/with_a_slash"));
+    const FloorPlane held = ask(wallCloud(ros::Time(50.1)));
+    EXPECT_EQ(held.status, FloorPlane::HELD) << "after a refused frame of " << stamp;
+    EXPECT_NEAR(held.age, 0.1, 1e-6);
+  }
 }
 
 TEST_F(TimeTest, AStampFarInTheFutureDoesNotBlockTheNextOnes)

@@ -42,4 +42,12 @@ struct TextRule
   bool (*accepts)(const std::string& text);
 };
 
+/// A name that a parameter had once. A struct may list them in a static function retired(); who still sets one is told
+/// the new name, and that it means something else.
+struct RetiredName
+{
+  const char* name;
+  const char* instead;
+};
+
 }  // namespace polygonal_perception::parameters

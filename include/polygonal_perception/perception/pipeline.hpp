@@ -9,12 +9,12 @@
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/drop_offs.hpp"
 #include "polygonal_perception/perception/grid/inflation.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"
 #include "polygonal_perception/perception/products.hpp"
 #include "polygonal_perception/perception/stage_times.hpp"
@@ -91,6 +91,10 @@ public:
   /// @param products  what is wanted; nothing else is paid for
   /// @return the result, valid until the next call
   const Result& process(const Frame& frame, Products products = Product::kPolygons);
+
+  /// Leaves a frame out: the result is that of a frame that was not looked at, and the next one finds all that was
+  /// known before.
+  void skip();
 
   /// Forgets the floor and the camera's forward direction. The result is that of a frame that was not looked
   /// at.

@@ -29,6 +29,16 @@ Eigen::Isometry3d floorFrame(const geometry::Plane& floor, const Eigen::Vector3d
   return to_floor;
 }
 
+Eigen::Matrix3d tiltCovariance(const Eigen::Matrix4d& covariance, const Eigen::Isometry3d& to_floor_frame)
+{
+  // A small turn w of the normal z changes it by w x z = (w_y, -w_x, 0).
+  Eigen::Matrix<double, 3, 4> jacobian = Eigen::Matrix<double, 3, 4>::Zero();
+  jacobian.block<1, 3>(0, 0) = -to_floor_frame.linear().row(1);
+  jacobian.block<1, 3>(1, 0) = to_floor_frame.linear().row(0);
+  jacobian(2, 3) = 1.0;
+  return jacobian * covariance * jacobian.transpose();
+}
+
 std::optional<Eigen::Vector3d> forwardAxis(const PointView& points, const SampleGrid& samples,
                                            const Eigen::Vector3d& up)
 {

@@ -3,33 +3,45 @@
 #include <algorithm>
 #include <array>
 
-#include "perception/floor/floor_candidates.hpp"
-
 namespace polygonal_perception::perception {
 
-void FloorRefinement::take(const PointView& points)
+namespace {
+
+NoisyPixels::Band bandOf(const FloorRefinementParameters& parameters)
+{
+  return {static_cast<float>(parameters.inlier_sigmas), static_cast<float>(parameters.inlier_distance),
+          static_cast<float>(parameters.model_error), static_cast<float>(parameters.model_error_slope)};
+}
+
+}  // namespace
+
+void FloorRefinement::take(const PointView& points, const SensorNoise& noise)
 {
   // Rows lie closer than columns: a floor that is seen from the side is a narrow strip at the image's foot.
   constexpr std::uint32_t kColumns = 53;
   constexpr std::uint32_t kRows = 96;
   const std::uint32_t step_u = std::max(1U, points.width() / kColumns);
   const std::uint32_t step_v = std::max(1U, points.height() / kRows);
-  columns_ = (points.width() - step_u / 2 + step_u - 1) / step_u;
+  const std::uint32_t columns = (points.width() - step_u / 2 + step_u - 1) / step_u;
   const std::uint32_t rows = (points.height() - step_v / 2 + step_v - 1) / step_v;
-  pixels_.resize(std::size_t{columns_} * rows);
+  pixels_.resize(std::size_t{columns} * rows, columns);
   std::size_t k = 0;
   for (std::uint32_t v = step_v / 2; v < points.height(); v += step_v) {
     const std::uint32_t next = std::min(v + step_v, points.height() - 1);
     for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) points.prefetch(u, next);
     for (std::uint32_t u = step_u / 2; u < points.width(); u += step_u) pixels_.set(k++, points.point(u, v));
   }
+  pixels_.measure(noise);
 }
 
-bool FloorRefinement::liesFlat(std::size_t k) const
+void FloorRefinement::pickInliers(const Parameters& parameters)
 {
-  // The foot of a wall lies in the floor's band too, but runs across it: it would tilt the fit.
-  return (k < columns_ || pixels_.runsAlong(k, k - columns_)) &&
-         (k + columns_ >= pixels_.size() || pixels_.runsAlong(k, k + columns_));
+  const auto steepest = static_cast<float>(parameters.steepest);
+  const auto sigmas = static_cast<float>(parameters.steepest_sigmas);
+  const std::size_t looked_at =
+      pixels_.pick([&](std::size_t k) { return pixels_.liesFlat(k, steepest, sigmas); },
+                   static_cast<std::size_t>(parameters.enough_pixels), picked_);
+  flat_ = static_cast<double>(picked_.size()) / static_cast<double>(std::max<std::size_t>(1, looked_at));
 }
 
 float FloorRefinement::medianDeviation() const
@@ -48,48 +60,101 @@ float FloorRefinement::medianDeviation() const
   return (static_cast<float>(bin) + 0.5F) / kBinsPerSigma;
 }
 
-std::optional<FloorRefinement::Result> FloorRefinement::refine(const geometry::Plane& rough,
-                                                               const FloorDetector::Parameters& parameters)
+PlaneFit FloorRefinement::fitClipped(const Parameters& parameters) const
 {
-  // A fit through this many pixels errs by less than the camera's own calibration.
-  constexpr std::size_t kEnough = 700;
-  // What lies farther off than this many times the median distance (2.5 standard deviations) is dropped,
-  // again for the new plane: the foot of a lamp is nearer to the floor than the noise model alone could tell.
-  constexpr float kClip = 3.7F;
-  constexpr float kLeastClip = 0.5F;
-  constexpr int kRounds = 2;
-  constexpr double kLargestNormalSigma = 0.02;  // [rad] more uncertain than this it is no floor
-  constexpr double kLeastSupport = 0.006;       // of all pixels
-  // The plane along the noses of a staircase has many points near it, but the surface runs along it in few: a
-  // fifth to two fifths, on floors more than half.
-  constexpr double kLeastFlat = 0.45;
-
-  const NoisyPoints::Band band = bandOf(parameters);
-  std::optional<PlaneFit::Result> fit;
-  geometry::Plane plane = rough;
-  double flat = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    pixels_.computeResiduals(plane, band);
-    const std::size_t looked_at =
-        pixels_.pick([this](std::size_t k) { return liesFlat(k); }, kEnough, picked_);
-    flat = static_cast<double>(picked_.size()) / static_cast<double>(std::max<std::size_t>(1, looked_at));
-    const float limit = std::max(kLeastClip, kClip * medianDeviation());
-    PlaneFit clipped;
-    for (const std::uint32_t k : picked_) {
-      if (pixels_.normalizedResidual(k) < limit) pixels_.addTo(clipped, k);
-    }
-    fit = clipped.solve(rough.normal);
-    if (!fit) return std::nullopt;
-    plane = fit->plane;
+  const float limit = static_cast<float>(parameters.clip) * medianDeviation();
+  PlaneFit fit;
+  for (const std::uint32_t k : picked_) {
+    if (pixels_.normalizedResidual(k) < limit) pixels_.addTo(fit, k);
   }
-  // How the points lie about the last plane but one: another sweep over all of them would hardly count them
-  // differently.
-  const NoisyPoints::InlierCount counts = pixels_.counts();
-  if (flat < kLeastFlat || fit->normal_sigma > kLargestNormalSigma ||
-      counts.inliers < kLeastSupport * static_cast<double>(pixels_.size())) {
+  return fit;
+}
+
+std::optional<FloorRefinement::Result> FloorRefinement::refine(const geometry::Plane& rough,
+                                                               const std::vector<geometry::Plane>& rivals,
+                                                               const Parameters& parameters)
+{
+  pixels_.computeResiduals(rough, bandOf(parameters));
+  for (const geometry::Plane& rival : rivals) pixels_.giveTo(rival);
+  pickInliers(parameters);
+  const auto first = fitClipped(parameters).solve(rough.normal);
+  if (!first) return std::nullopt;
+  // Once more, for what is clipped depends on the plane.
+  pixels_.computeResidualsOf(picked_, first->plane, bandOf(parameters));
+  const PlaneFit points = fitClipped(parameters);
+  const auto fit = points.solve(rough.normal);
+  if (!fit) return std::nullopt;
+  if (flat_ < parameters.least_flat || fit->normal_sigma > parameters.largest_normal_sigma) {
     return std::nullopt;
   }
-  return Result{*fit, counts};
+  return Result{*fit, points.covariance(*fit)};
+}
+
+std::optional<FloorRefinement::Result> FloorRefinement::findStripBelow(const geometry::Plane& platform,
+                                                                       double deepest,
+                                                                       const Parameters& parameters)
+{
+  pixels_.computeResiduals(platform, bandOf(parameters));
+  below_.clear();
+  below_sigma_ = 0.0F;
+  nearly_below_.clear();
+  const auto clearly = static_cast<float>(parameters.strip_sigmas);
+  pixels_.forEachBelow(static_cast<float>(std::min(parameters.strip_gap_sigmas, parameters.strip_sigmas)),
+                       static_cast<float>(parameters.strip_error_slope),
+                       [&](std::size_t k, float height, float sigma) {
+                         if (platform.distance - height > deepest ||
+                             !pixels_.liesFlat(k, static_cast<float>(parameters.steepest),
+                                               static_cast<float>(parameters.steepest_sigmas))) {
+                           return;
+                         }
+                         if (height < -clearly * sigma) {
+                           below_.push_back(height);
+                           below_sigma_ += sigma;
+                         } else {
+                           nearly_below_.push_back(height);
+                         }
+                       });
+  const auto height = heightOfStrip(parameters);
+  if (!height) return std::nullopt;
+  pixels_.computeResiduals({platform.normal, platform.distance - *height}, bandOf(parameters));
+  pixels_.giveTo(platform);
+  pickInliers(parameters);
+  const PlaneFit points = fitClipped(parameters);
+  const auto fit = points.solveNear(platform, parameters.strip_normal_sigma);
+  if (!fit) return std::nullopt;
+  return Result{*fit, points.covariance(*fit, parameters.strip_normal_sigma)};
+}
+
+std::optional<double> FloorRefinement::heightOfStrip(const Parameters& parameters)
+{
+  const auto enough = std::max<std::size_t>(
+      1, static_cast<std::size_t>(parameters.strip_support * static_cast<double>(pixels_.size())));
+  if (below_.size() < enough) return std::nullopt;
+  const float window =
+      static_cast<float>(parameters.strip_width) * below_sigma_ / static_cast<float>(below_.size());
+  std::sort(below_.begin(), below_.end());
+  std::size_t first = 0;
+  std::size_t most = 0;
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < below_.size(); ++begin) {
+    while (end < below_.size() && below_[end] - below_[begin] < window) ++end;
+    if (end - begin <= most) continue;
+    most = end - begin;
+    first = begin;
+  }
+  if (most < enough) return std::nullopt;
+  // Between the two lies hardly anything, as densely as the strip: a floor that bends down, and what a floor mirrors,
+  // is everywhere.
+  const float top = below_[first + most - 1];
+  auto in_gap = static_cast<double>(below_.size() - first - most);
+  float highest = below_.back();
+  for (const float height : nearly_below_) {
+    in_gap += height > top ? 1.0 : 0.0;
+    highest = std::max(highest, height);
+  }
+  if (parameters.strip_contrast * in_gap * window > static_cast<double>(most) * (highest - top))
+    return std::nullopt;
+  return below_[first + most / 2];
 }
 
 }  // namespace polygonal_perception::perception

@@ -105,11 +105,13 @@ bool assign(ParameterEntry& entry, XmlRpcValue& raw)
       entry.value);
 }
 
-std::vector<std::string> unknownNames(const ros::NodeHandle& handle, const ParameterList& parameters)
+std::vector<std::string> unknownNames(const ros::NodeHandle& handle, const ParameterList& parameters,
+                                      const std::vector<parameters::RetiredName>& retired)
 {
   // Read by the libraries that the node stands on.
   std::set<std::string> known = {"diagnostic_period"};
   for (const ParameterEntry& entry : parameters) known.insert(entry.name);
+  for (const parameters::RetiredName& name : retired) known.insert(name.name);
   std::vector<std::string> all;
   std::vector<std::string> unknown;
   const std::string prefix = handle.getNamespace() + "/";
@@ -126,7 +128,8 @@ std::vector<std::string> unknownNames(const ros::NodeHandle& handle, const Param
 
 }  // namespace
 
-ParameterReport readParameters(const ros::NodeHandle& private_handle, ParameterList& parameters)
+ParameterReport readParameters(const ros::NodeHandle& private_handle, ParameterList& parameters,
+                               const std::vector<parameters::RetiredName>& retired)
 {
   ParameterReport report;
   for (ParameterEntry& entry : parameters) {
@@ -137,7 +140,13 @@ ParameterReport readParameters(const ros::NodeHandle& private_handle, ParameterL
          << std::visit(Accepted{entry}, entry.value) << "; the default stays";
     report.errors.push_back(text.str());
   }
-  report.warnings = unknownNames(private_handle, parameters);
+  for (const parameters::RetiredName& name : retired) {
+    if (!private_handle.hasParam(name.name)) continue;
+    report.errors.push_back("parameter " + private_handle.resolveName(name.name) +
+                            " is refused: there is no such parameter any more, accepted is " + name.instead +
+                            ", which means something else (README.md)");
+  }
+  report.warnings = unknownNames(private_handle, parameters, retired);
   return report;
 }
 

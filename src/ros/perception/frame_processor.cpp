@@ -65,6 +65,9 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     reject("input", error);
     return true;
   }
+  // Only now: a frame that is refused changes nothing, whatever its stamp.
+  if (header.stamp < last_stamp_) resetTime("the frame's stamp is before the last one");
+  last_stamp_ = header.stamp;
   const Transforms transforms = lookUp(header);
   if (may_wait && !transforms.missing().empty()) return false;
 
@@ -112,8 +115,8 @@ void FrameProcessor::runPipeline(const std_msgs::Header& header, const perceptio
   if (transforms.missing_up.empty()) {
     pipeline_.process({points, header.stamp.toSec(), transforms.up}, neededProducts(transforms));
   } else {
-    // Without the seed that was asked for there is no floor: initial_up may be far off.
-    pipeline_.reset();
+    // Without the seed that was asked for there is no answer: initial_up may be far off.
+    pipeline_.skip();
   }
 }
 
@@ -161,8 +164,11 @@ std::optional<CameraAttitude> FrameProcessor::attitude() const
                         parameters_.pipeline.tracker.initial_up);
 }
 
-void FrameProcessor::resetTime()
+void FrameProcessor::resetTime(const std::string& reason)
 {
+  log_.warn("time", "time has jumped back (" + reason + "): starting anew");
+  statistics_.interrupt();
+  last_stamp_ = ros::Time();
   resetFloor();
   if (tf_) tf_->clear();
   last_broadcast_ = ros::Time();

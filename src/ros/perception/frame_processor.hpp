@@ -53,8 +53,10 @@ public:
 
   /// Forgets the floor.
   void resetFloor() { pipeline_.reset(); }
-  /// Forgets all that has a time: the floor and the transforms.
-  void resetTime();
+  /// Forgets all that has a time, the floor and the transforms, and says so in the log.
+  void resetTime(const std::string& reason);
+  /// Of the last frame that was not refused.
+  ros::Time lastStamp() const { return last_stamp_; }
 
   /// As it was answered last.
   const perception::FloorState& floor() const { return pipeline_.result().floor; }
@@ -91,6 +93,7 @@ private:
   DepthInput depth_input_;
   std::unique_ptr<ros_common::TfBridge> tf_;  // only where a parameter names a frame
   tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Time last_stamp_;
   ros::Time last_broadcast_;
 };
 

@@ -12,7 +12,7 @@ static_assert(static_cast<int>(perception::FloorStatus::kNotFound) == FloorPlane
               "the status goes into the message as it is");
 
 FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::FloorState& floor,
-                           const std::vector<Eigen::Vector3f>& hull)
+                           const Eigen::Isometry3d& to_floor_frame, const std::vector<Eigen::Vector3f>& hull)
 {
   auto message = boost::make_shared<FloorPlane>();
   message->header = header;
@@ -27,6 +27,11 @@ FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::Flo
   message->age = floor.age;
   message->sample_count = floor.floor.sample_count;
   message->rms_error = floor.floor.rms_error;
+  const Eigen::Matrix3d covariance = perception::tiltCovariance(floor.floor.covariance, to_floor_frame);
+  std::size_t k = 0;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = row; column < 3; ++column) message->covariance[k++] = covariance(row, column);
+  }
   message->hull.resize(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) {
     message->hull[i].x = hull[i].x();

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 
@@ -18,7 +19,7 @@ namespace polygonal_perception::ros_perception {
 /// @param header  stamp and frame of the input
 /// @param hull    convex hull of the floor samples, on the plane, in the input's frame
 FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::FloorState& floor,
-                           const std::vector<Eigen::Vector3f>& hull);
+                           const Eigen::Isometry3d& to_floor_frame, const std::vector<Eigen::Vector3f>& hull);
 
 /// a, b, c, d of the plane a x + b y + c z + d = 0; no values where there is no floor.
 pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& header,

@@ -40,7 +40,7 @@ bool canTellHull(const FrameResult& frame)
 FloorPlanePtr floor(const FrameResult& frame)
 {
   if (!canTellHull(frame)) return nullptr;
-  return toFloorPlane(frame.input, frame.result.floor, frame.result.floor_hull);
+  return toFloorPlane(frame.input, frame.result.floor, frame.result.to_floor_frame, frame.result.floor_hull);
 }
 
 pcl_msgs::ModelCoefficientsPtr floorCoefficients(const FrameResult& frame)

@@ -43,14 +43,12 @@ private:
   void processWaiting();
   void dropWaiting();
   void checkClock();
-  void resetTime(const std::string& reason);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros_common::NodeCore<PerceptionParameters> core_;
   std::unique_ptr<Outputs> outputs_;
   std::unique_ptr<FrameProcessor> processor_;
   std::deque<WaitingFrame> waiting_;
-  ros::Time last_stamp_;
   ros::Time last_now_;
   ros::ServiceServer reset_;
   ros::WallTimer waiting_timer_;
@@ -145,12 +143,8 @@ ros_common::InputTopics::Unsubscribed PerceptionNode::Implementation::retrySubsc
 void PerceptionNode::Implementation::onFrame(const InputFrame& frame)
 {
   checkClock();
-  const std_msgs::Header& header = frame.header();
-  if (header.stamp < last_stamp_) resetTime("the frame's stamp is before the last one");
-  last_stamp_ = header.stamp;
-
   const auto now = ros_common::FrameStatistics::Clock::now();
-  core_.statistics.received(header.seq, now);
+  core_.statistics.received(frame.header().seq, now);
   waiting_.push_back({frame, now});
   processWaiting();
 }
@@ -179,21 +173,15 @@ void PerceptionNode::Implementation::dropWaiting()
 
 void PerceptionNode::Implementation::checkClock()
 {
-  // Frames of the new time may come before its clock does: then last_stamp_ is not far ahead any more.
+  // Frames of the new time may come before its clock does: then the last stamp is not far ahead any more.
   constexpr double kClockLag = 1.0;  // [s]
   const ros::Time now = ros::Time::now();
-  if (now < last_now_ && now.toSec() + kClockLag < last_stamp_.toSec()) resetTime("the clock was set back");
+  if (now < last_now_ && now.toSec() + kClockLag < processor_->lastStamp().toSec()) {
+    processor_->resetTime("the clock was set back");
+    core_.statistics.dropped(waiting_.size());
+    waiting_.clear();
+  }
   last_now_ = now;
-}
-
-void PerceptionNode::Implementation::resetTime(const std::string& reason)
-{
-  core_.log.warn("time", "time has jumped back (" + reason + "): starting anew");
-  processor_->resetTime();
-  core_.statistics.interrupt();
-  core_.statistics.dropped(waiting_.size());
-  waiting_.clear();
-  last_stamp_ = ros::Time();
 }
 
 void PerceptionNode::Implementation::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)

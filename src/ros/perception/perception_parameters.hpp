@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
@@ -16,6 +18,10 @@ inline bool isInputKind(const std::string& text)
 inline bool isFrame(const std::string& text)
 {
   return !text.empty() && text.front() != '/';
+}
+inline bool isSensorNoise(const std::string& text)
+{
+  return perception::SensorNoise::preset(text).has_value();
 }
 inline bool isFrameOrEmpty(const std::string& text)
 {
@@ -32,6 +38,7 @@ struct PerceptionParameters
   bool lazy = true;
   std::string up_frame;
   double tf_timeout = 0.1;  ///< [s]
+  std::string sensor_noise = "xtion";
   perception::Pipeline::Parameters pipeline;
 
   template <class Self, class Visitor>
@@ -57,7 +64,27 @@ struct PerceptionParameters
           "The floor's normal is the next frame's up vector; false: up_frame or initial_up in every frame.");
     visit("tf_timeout", self.tf_timeout, Range{0.0, 1.0}.atStart(), "s",
           "How long a frame waits for its transforms and its camera_info; others are not held up.");
+    visit("sensor_noise", self.sensor_noise, TextRule{perception::SensorNoise::kPresets, isSensorNoise},
+          "The kind of sensor, which gives noise_constant, noise_linear and noise_quadratic where they are "
+          "not set.");
     perception::Pipeline::Parameters::describe(self.pipeline, visit);
+  }
+
+  /// Takes what nobody has set of the noise from the kind of sensor.
+  /// @param is_set  says whether a parameter of that name is
+  void complete(const std::function<bool(const char*)>& is_set)
+  {
+    perception::SensorNoise preset = *perception::SensorNoise::preset(sensor_noise);
+    perception::SensorNoise& noise = pipeline.detector.planes.noise;
+    if (!is_set("noise_constant")) noise.constant = preset.constant;
+    if (!is_set("noise_linear")) noise.linear = preset.linear;
+    if (!is_set("noise_quadratic")) noise.quadratic = preset.quadratic;
+  }
+
+  /// What algorithm 2 of the paper calls tau_h and its factor were read under these names, but meant other things.
+  static std::vector<parameters::RetiredName> retired()
+  {
+    return {{"merge_distance", "inlier_distance"}, {"replacement_factor", "lower_plane_weight"}};
   }
 
   std::optional<parameters::ParameterFault> conflict() const { return pipeline.conflict(); }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::ros_perception {
 

@@ -71,7 +71,6 @@ TEST(FloorDetector, ATableTopThatFillsTheViewIsNotTheFloor)
   // Floor is seen only beyond the table's far edge, 1.9 m ahead.
   scene.add(floor);
   scene.add(test::raised(floor, 0.75), [](const Eigen::Vector3d& p) { return p.z() < 1.5; });
-  SampleGrid grid{SampleGrid::Parameters{}};
   expectFloor(detect(scene), floor);
 }
 
@@ -126,10 +125,10 @@ TEST(FloorDetector, APlaneAtAHeightThatTheCameraCannotHaveIsNoFloor)
   test::PlaneScene scene;
   scene.add(floor);
   FloorDetector::Parameters parameters;
-  parameters.max_camera_height = 0.7;
+  parameters.selection.max_camera_height = 0.7;
   EXPECT_FALSE(detect(scene, seed(), parameters));
-  parameters.max_camera_height = 3.0;
-  parameters.min_camera_height = 0.9;
+  parameters.selection.max_camera_height = 3.0;
+  parameters.selection.min_camera_height = 0.9;
   EXPECT_FALSE(detect(scene, seed(), parameters));
 }
 
@@ -142,11 +141,11 @@ TEST(FloorDetector, WhatTheFinerFitSaysLiesWithinTheBoundsToo)
   for (int step = -20; step <= 20; ++step) {
     const double bound = floor.distance + 0.0005 * step;
     FloorDetector::Parameters parameters;
-    parameters.min_camera_height = bound;
+    parameters.selection.min_camera_height = bound;
     const auto above = detect(scene, seed(), parameters);
     EXPECT_GE(above ? above->plane.distance : bound, bound);
-    parameters.min_camera_height = 0.05;
-    parameters.max_camera_height = bound;
+    parameters.selection.min_camera_height = 0.05;
+    parameters.selection.max_camera_height = bound;
     const auto below = detect(scene, seed(), parameters);
     EXPECT_LE(below ? below->plane.distance : bound, bound);
     found += (above ? 1 : 0) + (below ? 1 : 0);
@@ -175,7 +174,7 @@ TEST_F(AtALedge, TheLowestPlaneWinsWithoutFurtherKnowledge)
 TEST_F(AtALedge, ABoundOnTheCamerasHeightKeepsTheOwnFloor)
 {
   FloorDetector::Parameters parameters;
-  parameters.max_camera_height = 1.0;
+  parameters.selection.max_camera_height = 1.0;
   expectFloor(detect(scene_, seed(), parameters), own_);
 }
 
@@ -211,7 +210,7 @@ TEST(FloorDetector, AStepThatTheCameraCouldStandOnIsNotTheFloorIfTheNextOneCanno
   const geometry::Plane own = test::floorSeenFrom(1.2, 0.7);
   FloorDetector::Parameters parameters;
   for (const double known_to : {0.1, 0.25, 0.4}) {
-    parameters.max_camera_height = own.distance + known_to;
+    parameters.selection.max_camera_height = own.distance + known_to;
     const auto found = detect(stairsDown(own), seed(), parameters);
     ASSERT_TRUE(found) << "height known to " << known_to;
     EXPECT_NEAR(found->plane.distance, own.distance, 0.01) << "height known to " << known_to;
@@ -227,7 +226,7 @@ TEST(FloorDetector, ABoxUponTheFloorIsNoStairHoweverDeepTheHoleBesideIt)
   scene.add(own, [](const Eigen::Vector3d& p) { return p.z() < 1.7; });
   scene.add(test::raised(own, 0.14), [](const Eigen::Vector3d& p) { return p.z() < 1.2 && p.x() > 0.0; });
   FloorDetector::Parameters parameters;
-  parameters.max_camera_height = own.distance + 0.25;
+  parameters.selection.max_camera_height = own.distance + 0.25;
   const auto found = detect(scene, seed(), parameters);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->plane.distance, own.distance, 0.01);
@@ -249,10 +248,70 @@ TEST(FloorDetector, WhatAShinyFloorMirrorsIsNoStepBelowIt)
   scene.add(own, [&](const Eigen::Vector3d& p) { return !in_shelf(deeper * p); });
   scene.add(test::raised(own, kShelf), in_shelf);
   FloorDetector::Parameters parameters;
-  parameters.max_camera_height = kHeight + 0.1;
+  parameters.selection.max_camera_height = kHeight + 0.1;
   const auto found = detect(scene, seed(), parameters);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->plane.distance, kHeight, 0.01);
+}
+
+/// A platform 0.6 m under the camera that fills the view, but for a few columns at its right edge where the
+/// floor is seen 0.4 m lower: fewer than the samples lie apart.
+class AtAStrip : public ::testing::Test
+{
+protected:
+  AtAStrip()
+  {
+    scene_.add(floor_);
+    scene_.add(platform_, [](const Eigen::Vector3d& p) { return p.x() < 76.0 / 142.5 * p.z(); });
+  }
+
+  geometry::Plane floor_ = test::floorSeenFrom(1.0, 0.7);
+  geometry::Plane platform_ = test::raised(floor_, 0.4);
+  test::PlaneScene scene_{160, 120, 142.5, 0.002};
+};
+
+TEST_F(AtAStrip, TheStripBelowThePlatformIsTheFloor)
+{
+  const auto found = detect(scene_);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, 1.0, 0.01) << "the platform is at 0.6 m";
+  ASSERT_EQ(std::distance(found->others.begin(), found->others.end()), 1);
+  EXPECT_NEAR(*found->others.begin(), 0.4, 0.01) << "the platform, above the floor";
+}
+
+TEST_F(AtAStrip, AConfirmedFloorIsNoPlatform)
+{
+  FloorPrior prior;
+  prior.up = platform_.normal;
+  prior.up_is_measured = true;
+  prior.height = platform_.distance;
+  prior.height_tolerance = 0.06;
+  prior.confirmed = true;
+  const auto found = detect(scene_, prior);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, 0.6, 0.01) << "the strip is a drop beside it";
+  EXPECT_TRUE(found->continued);
+}
+
+TEST_F(AtAStrip, AStripDeeperThanAFloorCanBeIsNone)
+{
+  FloorDetector::Parameters parameters;
+  parameters.selection.max_camera_height = 0.9;
+  const auto found = detect(scene_, seed(), parameters);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, 0.6, 0.01);
+}
+
+TEST(FloorDetector, AThresholdAcrossTheFloorDoesNotRaiseIt)
+{
+  // 2 cm high and half a metre deep; the floor goes on behind it.
+  const geometry::Plane floor = test::floorSeenFrom(0.8, 0.5);
+  test::PlaneScene scene(160, 120, 142.5, 0.002);
+  scene.add(floor);
+  scene.add(test::raised(floor, 0.02), [](const Eigen::Vector3d& p) { return p.z() > 1.2 && p.z() < 1.7; });
+  const auto found = detect(scene);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->plane.distance, 0.8, 0.005);
 }
 
 TEST(FloorDetector, LabelsSayWhatBecameOfEachSample)

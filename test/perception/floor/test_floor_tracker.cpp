@@ -167,6 +167,20 @@ TEST_F(FloorTrackerTest, ATableTopIsNoFloorWhenTheFloorIsOutOfView)
   EXPECT_NE(see(bare(test::raised(floor, 0.75)), 30).status, FloorStatus::kFound);
 }
 
+TEST_F(FloorTrackerTest, ADropThatComesIntoViewAtOnceIsNotTheFloor)
+{
+  // Somebody opens a door, and up to a third of what is seen lies a storey lower. (With half of it ViewChange
+  // has the view for a new one, and the tracker forgets what it knows.)
+  const geometry::Plane floor = test::floorSeenFrom(0.8, 0.5);
+  for (const double end : {2.0, 1.8, 1.7, 1.6, 1.55}) {
+    tracker_.reset();
+    see(bare(floor), 30);
+    const FloorState& state = see(ledge(floor, end));
+    ASSERT_EQ(state.status, FloorStatus::kFound) << "the own floor ends " << end << " m away";
+    EXPECT_NEAR(state.floor.plane.distance, 0.8, 0.01) << "the own floor ends " << end << " m away";
+  }
+}
+
 TEST_F(FloorTrackerTest, FollowsACameraThatRises)
 {
   for (double height = 0.6; height < 1.4; height += 0.02) {

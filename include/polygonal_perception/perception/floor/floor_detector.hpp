@@ -10,9 +10,11 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/parameters/parameter_table.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/floor/floor_refinement_parameters.hpp"
+#include "polygonal_perception/perception/floor/floor_selection_parameters.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/planes/plane_extraction_parameters.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -20,8 +22,8 @@ namespace polygonal_perception::perception {
 enum class SampleLabel : std::uint8_t
 {
   kNoPoint,  ///< no return near its pixel
-  kPruned,   ///< no normal, or one that is not upright
-  kSegment,  ///< in a segment that is not the floor
+  kPruned,   ///< on no plane, or on one that is not upright
+  kSegment,  ///< on a level plane that is not the floor
   kFloor     ///< in the floor set
 };
 
@@ -46,8 +48,10 @@ private:
 /// A floor that was found in a frame.
 struct DetectedFloor
 {
-  geometry::Plane plane;           ///< up normal, height of the input frame's origin above the floor
-  double rms_error = 0.0;          ///< [m] of the fitted points
+  geometry::Plane plane;   ///< up normal, height of the input frame's origin above the floor
+  double rms_error = 0.0;  ///< [m] of the fitted points
+  /// Of the normal's three components [1] and the distance [m].
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   std::uint32_t sample_count = 0;  ///< samples in the floor set
   bool continued = false;          ///< it is at the height where the last floor was
   PlaneOffsets others;             ///< level planes that are not the floor
@@ -72,29 +76,16 @@ class POLYGONAL_PERCEPTION_EXPORT FloorDetector
 public:
   struct Parameters
   {
-    double max_tilt =
-        0.78539816339744831;           ///< [rad] pi/4: a floor's normal is nearer than this to the up vector
-    double cluster_distance = 0.01;    ///< [m] tau_l of algorithm 1
-    double merge_distance = 0.1;       ///< [m] tau_h of algorithm 2
-    double replacement_factor = 20.0;  ///< algorithm 2, line 13
-    double min_camera_height = 0.05;   ///< [m]
-    double max_camera_height = 3.0;    ///< [m]
+    PlaneExtractionParameters planes;
+    FloorSelectionParameters selection;
+    FloorRefinementParameters refinement;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
     {
-      visit("max_tilt", self.max_tilt, parameters::Range{0.01, 1.4}, "rad",
-            "Largest angle between the up vector and the normal of a floor.");
-      visit("cluster_distance", self.cluster_distance, parameters::Range{0.0, 1.0}, "m",
-            "Plane distance below which neighbouring samples join a segment (tau_l).");
-      visit("merge_distance", self.merge_distance, parameters::Range{0.0, 1.0}, "m",
-            "Plane distance below which segments join the floor (tau_h).");
-      visit("replacement_factor", self.replacement_factor, parameters::Range{1.0, 1000.0}, "",
-            "How many times larger a higher segment must be to replace a lower one as the floor.");
-      visit("min_camera_height", self.min_camera_height, parameters::Range{0.0, 10.0}, "m",
-            "A plane less than this below the camera is no floor.");
-      visit("max_camera_height", self.max_camera_height, parameters::Range{0.01, 20.0}, "m",
-            "A plane more than this below the camera is no floor.");
+      PlaneExtractionParameters::describe(self.planes, visit);
+      FloorSelectionParameters::describe(self.selection, visit);
+      FloorRefinementParameters::describe(self.refinement, visit);
     }
   };
 

@@ -5,8 +5,8 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -23,6 +23,13 @@ namespace polygonal_perception::perception {
 ///                 that is nearest to the floor plane stands in for it.
 POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d floorFrame(const geometry::Plane& floor,
                                                          const Eigen::Vector3d& forward);
+
+/// How uncertain a floor is about the axes of its frame.
+/// @param covariance      of the normal's three components [1] in the input's frame and the distance [m]
+/// @param to_floor_frame  from the input's frame
+/// @return of the tilt about the floor frame's x axis [rad], about its y axis [rad], and of the distance [m]
+POLYGONAL_PERCEPTION_EXPORT Eigen::Matrix3d tiltCovariance(const Eigen::Matrix4d& covariance,
+                                                           const Eigen::Isometry3d& to_floor_frame);
 
 /// The camera's forward direction in the input's frame: z for a depth image, whose frame is an optical one.
 /// For a cloud the frame's axis that has all returns ahead of it, for a camera looks at nothing that is behind

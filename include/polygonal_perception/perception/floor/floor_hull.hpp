@@ -6,7 +6,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::perception {
 

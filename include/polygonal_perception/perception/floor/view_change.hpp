@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::perception {
 

@@ -16,6 +16,30 @@
 
 namespace polygonal_perception::ros_common {
 
+/// The names that a struct lists in retired(), if it does.
+template <class Parameters>
+auto retiredNames(int /*has_some*/) -> decltype(Parameters::retired())
+{
+  return Parameters::retired();
+}
+template <class Parameters>
+std::vector<parameters::RetiredName> retiredNames(...)
+{
+  return {};
+}
+
+/// Lets a struct that has a complete() fill in those of its values that depend on others and that nobody has set.
+template <class Parameters>
+auto complete(Parameters& values, const ros::NodeHandle& handle, int /*has_it*/)
+    -> decltype(values.complete(std::function<bool(const char*)>()))
+{
+  values.complete([&handle](const char* name) { return handle.hasParam(name); });
+}
+template <class Parameters>
+void complete(Parameters& /*values*/, const ros::NodeHandle& /*handle*/, ...)
+{
+}
+
 /// Reads a node's parameters, and gives those back their defaults that contradict one another.
 template <class Parameters>
 Parameters readParameters(const ros::NodeHandle& private_handle, ParameterReport& report)
@@ -24,7 +48,8 @@ Parameters readParameters(const ros::NodeHandle& private_handle, ParameterReport
   Parameters defaults;
   ParameterList list = listParameters(values);
   const ParameterList default_list = listParameters(defaults);
-  report = readParameters(private_handle, list);
+  report = readParameters(private_handle, list, retiredNames<Parameters>(0));
+  complete(values, private_handle, 0);
   // Each is within its range now; some may still contradict one another.
   while (const auto fault = parameters::findFault(values)) {
     report.errors.push_back("parameters in " + private_handle.getNamespace() + ": " + fault->reason +

@@ -20,8 +20,10 @@ struct ParameterReport
 };
 
 /// Reads the parameters from a node's private namespace into a struct of defaults.
-POLYGONAL_PERCEPTION_EXPORT ParameterReport readParameters(const ros::NodeHandle& private_handle,
-                                                           ParameterList& parameters);
+/// @param retired  names that are refused with the one that took their place
+POLYGONAL_PERCEPTION_EXPORT ParameterReport
+readParameters(const ros::NodeHandle& private_handle, ParameterList& parameters,
+               const std::vector<parameters::RetiredName>& retired = {});
 
 /// Writes the numbers that can be reconfigured to the parameter server, so that `rosparam get` shows what is
 /// in force.

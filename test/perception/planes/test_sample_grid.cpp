@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 #include "support/plane_scene.hpp"
 
 namespace polygonal_perception::perception {

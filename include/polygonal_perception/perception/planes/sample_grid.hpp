@@ -65,6 +65,7 @@ private:
   int samples_x_ = 0;
   int samples_y_ = 0;
   std::vector<Sample> samples_;
+  std::vector<int> columns_;  // of the image, in which samples are taken
 };
 
 }  // namespace polygonal_perception::perception

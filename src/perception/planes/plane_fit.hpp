@@ -8,8 +8,8 @@
 
 namespace polygonal_perception::perception {
 
-/// Weighted total least squares fit of a plane: collects points, then gives the plane that has the least
-/// weighted sum of squared distances from them.
+/// Weighted fit of a plane: collects points, then gives the plane that has the least weighted sum of squared
+/// distances from them.
 class PlaneFit
 {
 public:
@@ -18,7 +18,7 @@ public:
     geometry::Plane plane;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< weighted mean of the points
     double rms_error = 0.0;                            ///< [m] weighted root mean square distance
-    /// [rad] how far the normal may be off, one standard deviation; neighbouring points err together.
+    /// [rad] how far the normal may be off at most, one standard deviation; neighbouring points err together.
     double normal_sigma = 0.0;
   };
 
@@ -44,13 +44,34 @@ public:
     ++count_;
   }
 
+  /// Adds all points of another fit.
+  void add(const PlaneFit& other);
+
   std::size_t count() const { return count_; }
 
+  /// By total least squares.
   /// @param up  the plane's normal is turned to this side
   /// @return nothing where the points do not span a plane: fewer than 3, or (nearly) on a line
   std::optional<Result> solve(const Eigen::Vector3d& up) const;
 
+  /// By least squares of the heights over a plane whose normal is known to some extent: points on a line are enough.
+  /// @param known  a plane near the points
+  /// @param sigma  [rad] standard deviation of its normal about any axis
+  std::optional<Result> solveNear(const geometry::Plane& known, double sigma) const;
+
+  /// How uncertain a fit of these points is.
+  /// @param sigma  [rad] of the normal that solveNear() was told; none: it was not
+  /// @return of the normal's three components [1] and the distance [m]
+  Eigen::Matrix4d covariance(const Result& fit, const std::optional<double>& sigma = std::nullopt) const;
+
 private:
+  Eigen::Vector3d mean() const { return Eigen::Vector3d(x_, y_, z_) / weight_; }  // from origin_
+  Result result(const Eigen::Vector3d& normal, double variance) const;
+  /// [m^2] The variance of the mean of the points' heights, if neighbours err together;
+  /// @param variance  [m^2] of the heights
+  double averaged(double variance) const;
+  Eigen::Matrix3d scatter() const;  // about the mean, weighted mean
+
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   double weight_ = 0, x_ = 0, y_ = 0, z_ = 0, xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
   std::size_t count_ = 0;

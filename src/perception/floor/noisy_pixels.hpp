@@ -7,17 +7,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "perception/floor/plane_fit.hpp"
+#include "perception/planes/plane_fit.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/perception/planes/sensor_noise.hpp"
 
 namespace polygonal_perception::perception {
 
-/// Points of a depth camera with what is known of their noise, laid out so that all of them can be held
-/// against a plane in one sweep. A point may be NaN; it lies on no plane and below none.
-///
-/// Depth noise moves a point along its viewing ray, so its height above a plane errs by only the part of that
-/// which is along the normal: on a floor seen at a grazing angle a small one.
-class NoisyPoints
+/// A regular grid of pixels of a depth image with what is known of their noise, laid out so that all of them can be
+/// held against a plane in one sweep. A pixel may have no point (NaN); it lies on no plane and below none.
+class NoisyPixels
 {
 public:
   /// How far from a plane a point may lie and still count as one of it.
@@ -25,48 +23,49 @@ public:
   {
     float sigmas;  ///< times the standard deviation of its height
     float widest;  ///< [m]
-    /// [m] What lies deeper than this under the camera does not count as below the plane: it is beyond every
-    /// floor that the camera can stand on.
-    float deepest;
-  };
-
-  /// How the points lie about a plane.
-  struct InlierCount
-  {
-    int inliers = 0;  ///< in the band
-    int below = 0;    ///< clearly below the plane
+    /// [m], [m/m] what the noise does not hold, a part of that standard deviation
+    float model_error;
+    float model_error_slope;
   };
 
   /// Makes room for points that are to be set, and forgets what was measured of earlier ones.
-  void resize(std::size_t count);
+  void resize(std::size_t count, std::size_t columns);
   void set(std::size_t k, const Eigen::Vector3f& point)
   {
     x_[k] = point.x();
     y_[k] = point.y();
     z_[k] = point.z();
   }
+  /// Measures the points once all are set.
+  void measure(const SensorNoise& noise);
 
-  void clear() { resize(0); }
-  void add(const Eigen::Vector3f& point)
-  {
-    x_.push_back(point.x());
-    y_.push_back(point.y());
-    z_.push_back(point.z());
-  }
   std::size_t size() const { return x_.size(); }
 
   /// Holds all points against a plane. What follows speaks of this plane and band until the next call.
   void computeResiduals(const geometry::Plane& plane, const Band& band);
 
+  /// Holds only some points against another plane; what follows speaks of it for them.
+  void computeResidualsOf(const std::vector<std::uint32_t>& points, const geometry::Plane& plane,
+                          const Band& band);
+
+  /// Takes those points out of the band that lie nearer to another plane.
+  void giveTo(const geometry::Plane& other);
+
   /// Whether point k lies in the band.
   bool on(std::size_t k) const { return on_[k] != 0; }
 
-  /// The points in the band and below the plane.
-  const InlierCount& counts() const { return counts_; }
+  /// How many lie in the band.
+  std::size_t inliers() const { return inliers_; }
 
-  /// Whether the surface between points k and neighbour runs along the plane rather than across it. A
-  /// neighbour without a return says nothing against it.
-  bool runsAlong(std::size_t k, std::size_t neighbour) const;
+  /// Whether the surface at pixel k runs along the plane rather than across it, up to the rows above and below. A
+  /// neighbour without a point says nothing against it.
+  /// @param steepest  sine of the largest angle
+  /// @param sigmas    standard deviations that noise may add
+  bool liesFlat(std::size_t k, float steepest, float sigmas) const
+  {
+    return (k < columns_ || runsAlong(k, k - columns_, steepest, sigmas)) &&
+           (k + columns_ >= size() || runsAlong(k, k + columns_, steepest, sigmas));
+  }
 
   /// Picks accepted points in the band.
   /// @param accept  called with the index of a point in the band
@@ -96,6 +95,20 @@ public:
     return looked_at;
   }
 
+  /// Calls visit(k, height, sigma) for each point that lies below the plane by more than so many standard deviations
+  /// of its height, its noise and a model error of `slope` times its range.
+  template <class Visit>
+  void forEachBelow(float sigmas, float slope, Visit&& visit) const
+  {
+    for (std::size_t k = 0; k < size(); ++k) {
+      if (!(height_[k] < 0.0F)) continue;
+      const float noise = relative_noise_[k] * (camera_height_ - height_[k]);
+      const float model = slope * range_[k];
+      const float sigma = std::sqrt(noise * noise + model * model);
+      if (height_[k] < -sigmas * sigma) visit(k, height_[k], sigma);
+    }
+  }
+
   /// Distance of point k from the plane in units of its standard deviation.
   float normalizedResidual(std::size_t k) const { return std::abs(height_[k]) / sigma_[k]; }
 
@@ -106,8 +119,9 @@ public:
   }
 
 private:
-  void measure();
+  bool runsAlong(std::size_t k, std::size_t neighbour, float steepest, float sigmas) const;
 
+  std::size_t columns_ = 0;
   std::vector<float> x_, y_, z_;
   std::vector<float> range_, relative_noise_;  // [m], and standard deviation of the depth over the range
   // What the last comparison gave.
@@ -115,7 +129,7 @@ private:
   std::vector<float> height_;
   std::vector<float> sigma_;  // standard deviation of the height
   std::vector<std::int32_t> on_;
-  InlierCount counts_;
+  std::size_t inliers_ = 0;
 };
 
 }  // namespace polygonal_perception::perception

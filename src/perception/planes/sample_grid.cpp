@@ -1,4 +1,4 @@
-#include "polygonal_perception/perception/floor/sample_grid.hpp"
+#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -68,17 +68,18 @@ void SampleGrid::takePoints(const PointView& points)
   const auto height = static_cast<int>(points.height());
   const int reach = std::max(width / samples_x_, height / samples_y_) / 4;
   const auto at = [](int pixel) { return static_cast<std::uint32_t>(pixel); };
+  columns_.resize(static_cast<std::size_t>(samples_x_));
+  for (int i = 0; i < samples_x_; ++i) columns_[static_cast<std::size_t>(i)] = pixelOf(i, samples_x_, width);
   for (int j = 0; j < samples_y_; ++j) {
-    for (int i = 0; i < samples_x_; ++i) {
-      points.prefetch(at(pixelOf(i, samples_x_, width)), at(pixelOf(j, samples_y_, height)));
-    }
+    const int v = pixelOf(j, samples_y_, height);
+    for (const int u : columns_) points.prefetch(at(u), at(v));
   }
   for (int j = 0; j < samples_y_; ++j) {
     const int v = pixelOf(j, samples_y_, height);
     for (int i = 0; i < samples_x_; ++i) {
       Sample& sample = samples_[static_cast<std::size_t>(j) * static_cast<std::size_t>(samples_x_) +
                                 static_cast<std::size_t>(i)];
-      const int u = pixelOf(i, samples_x_, width);
+      const int u = columns_[static_cast<std::size_t>(i)];
       const auto take = [&](int at_u, int at_v) {
         if (at_u < 0 || at_u >= width || at_v < 0 || at_v >= height) return false;
         sample.point = points.point(at(at_u), at(at_v));
@@ -123,7 +124,7 @@ void SampleGrid::computeNormals()
       const Eigen::Vector3f normal = down.cross(across);
       const float length = normal.norm();
       if (!(length > 0.0F)) continue;
-      sample->normal = normal / length;
+      sample->normal = (1.0F / length) * normal;
       sample->has_normal = true;
     }
   }
