@@ -7,17 +7,35 @@
 
 namespace polygonal_perception::perception {
 
+namespace {
+
+/// Does a floor that is no candidate's own plane lie where the last one was?
+bool continuesLast(const geometry::Plane& floor, double turn, const FloorPrior& prior)
+{
+  return prior.height && std::abs(*prior.height - floor.distance) < prior.height_tolerance &&
+         (!prior.up_is_measured || geometry::angleBetween(floor.normal, prior.up) < turn);
+}
+
+}  // namespace
+
 struct FloorDetector::Workspace
 {
+  /// A candidate after its fit through the cloud, or the strip of floor that lies below it.
+  struct Refined
+  {
+    FloorRefinement::Result result;
+    bool is_strip = false;
+  };
+
   PlaneExtraction extraction;
   FloorSelection selection;
   FloorRefinement refinement;
   std::vector<geometry::Plane> rivals;
 
-  std::optional<FloorRefinement::Result> refine(const FloorCandidate& candidate, const Parameters& parameters,
-                                                const FloorPrior& prior);
+  std::optional<Refined> refine(const FloorCandidate& candidate, const Parameters& parameters,
+                                const FloorPrior& prior);
   void findRivals(const geometry::Plane& plane, const FloorRefinementParameters& parameters);
-  std::uint32_t label(const geometry::Plane* floor, int floor_index,
+  std::uint32_t label(const geometry::Plane* floor, std::optional<int> own_plane,
                       const PlaneExtractionParameters& parameters, std::vector<SampleLabel>& labels) const;
 };
 
@@ -39,31 +57,31 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
   selection.rate(extraction, parameters_.selection, prior);
 
   std::optional<DetectedFloor> floor;
-  int floor_index = PlaneSegments::kNone;
+  std::optional<int> own_plane;
   FloorCandidate* candidate = selection.best(parameters_.selection);
   if (candidate != nullptr) refinement.take(points, parameters_.planes.noise);
   for (; candidate != nullptr && !floor; candidate = selection.best(parameters_.selection)) {
     candidate->refused = true;
     const auto refined = workspace_->refine(*candidate, parameters_, prior);
     if (!refined) continue;
-    const PlaneFit::Result& fit = refined->fit;
-    floor_index = candidate->index;
+    const PlaneFit::Result& fit = refined->result.fit;
+    if (!refined->is_strip) own_plane = candidate->index;
     floor.emplace();
     floor->plane = fit.plane;
     floor->rms_error = fit.rms_error;
-    floor->covariance = refined->covariance;
-    floor->continued = candidate->continues;
+    floor->covariance = refined->result.covariance;
+    floor->continued = refined->is_strip ? continuesLast(fit.plane, parameters_.selection.turn, prior)
+                                         : candidate->continues;
     floor->others = selection.others(fit.plane, parameters_.selection);
   }
   const std::uint32_t count =
-      workspace_->label(floor ? &floor->plane : nullptr, floor_index, parameters_.planes, labels_);
+      workspace_->label(floor ? &floor->plane : nullptr, own_plane, parameters_.planes, labels_);
   if (floor) floor->sample_count = count;
   return floor;
 }
 
-std::optional<FloorRefinement::Result> FloorDetector::Workspace::refine(const FloorCandidate& candidate,
-                                                                        const Parameters& parameters,
-                                                                        const FloorPrior& prior)
+std::optional<FloorDetector::Workspace::Refined> FloorDetector::Workspace::refine(
+    const FloorCandidate& candidate, const Parameters& parameters, const FloorPrior& prior)
 {
   const double deepest = parameters.selection.max_camera_height;
   const auto fits_the_camera = [&](const std::optional<FloorRefinement::Result>& result) {
@@ -71,12 +89,13 @@ std::optional<FloorRefinement::Result> FloorDetector::Workspace::refine(const Fl
            result->fit.plane.distance <= deepest;
   };
   findRivals(candidate.fit.plane, parameters.refinement);
-  auto fit = refinement.refine(candidate.fit.plane, rivals, parameters.refinement);
+  const auto fit = refinement.refine(candidate.fit.plane, rivals, parameters.refinement);
   if (!fits_the_camera(fit)) return std::nullopt;
   // A robot that has seen its floor for a while looks at a drop, and so does one above stairs.
-  if ((prior.confirmed && candidate.continues) || candidate.leads_down) return fit;
-  auto strip = refinement.findStripBelow(fit->fit.plane, deepest, parameters.refinement);
-  return fits_the_camera(strip) ? strip : fit;
+  if ((prior.confirmed && candidate.continues) || candidate.leads_down) return Refined{*fit};
+  const auto strip = refinement.findStripBelow(fit->fit.plane, deepest, parameters.refinement);
+  if (fits_the_camera(strip)) return Refined{*strip, true};
+  return Refined{*fit};
 }
 
 void FloorDetector::Workspace::findRivals(const geometry::Plane& plane,
@@ -92,16 +111,18 @@ void FloorDetector::Workspace::findRivals(const geometry::Plane& plane,
   }
 }
 
-/// @param floor  none: no floor was found
+/// @param floor      none: no floor was found
+/// @param own_plane  the extracted plane whose samples are the floor's whatever their height; a strip has none
 /// @return how many samples are the floor's
-std::uint32_t FloorDetector::Workspace::label(const geometry::Plane* floor, int floor_index,
+std::uint32_t FloorDetector::Workspace::label(const geometry::Plane* floor, std::optional<int> own_plane,
                                               const PlaneExtractionParameters& parameters,
                                               std::vector<SampleLabel>& labels) const
 {
   const NoisySamples& samples = extraction.samples();
   labels.assign(samples.size(), SampleLabel::kNoPoint);
-  const Eigen::Vector3f normal =
-      floor != nullptr ? Eigen::Vector3f(floor->normal.cast<float>()) : Eigen::Vector3f::Zero();
+  std::optional<ReferencePlane> reference;
+  if (floor != nullptr) reference.emplace(*floor);
+  const auto squared_sigmas = static_cast<float>(parameters.inlier_sigmas * parameters.inlier_sigmas);
   const auto is_level = [&](int plane) {
     return plane != PlaneSegments::kNone && selection.isCandidate(static_cast<std::size_t>(plane));
   };
@@ -111,14 +132,10 @@ std::uint32_t FloorDetector::Workspace::label(const geometry::Plane* floor, int 
     const int plane = extraction.planeOf()[k];
     if (!sample.has_point) continue;
     labels[k] = is_level(plane) ? SampleLabel::kSegment : SampleLabel::kPruned;
-    if (floor == nullptr || !sample.has_normal || sample.normal.dot(normal) < parameters.normal_cosine)
+    if (!reference || !sample.has_normal ||
+        !(sample.normal.dot(reference->normal) >= parameters.normal_cosine))
       continue;
-    const float along = normal.dot(sample.point);
-    const double height = along + floor->distance;
-    if (plane != floor_index &&
-        height * height > parameters.inlier_sigmas * parameters.inlier_sigmas * sample.variance(along)) {
-      continue;
-    }
+    if (plane != own_plane && !(reference->deviation(sample) <= squared_sigmas)) continue;
     labels[k] = SampleLabel::kFloor;
     ++count;
   }

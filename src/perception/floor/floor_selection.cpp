@@ -50,14 +50,11 @@ double scatterBelow(const PlaneExtraction& extraction, const FloorCandidate& can
 double countBelow(const PlaneExtraction& extraction, const ExtractedPlane& lower,
                   const geometry::Plane& upper, const FloorSelectionParameters& parameters)
 {
-  const Eigen::Vector3f normal = upper.normal.cast<float>();
-  const auto distance = static_cast<float>(upper.distance);
-  const auto sigmas = static_cast<float>(parameters.clearly_below);
+  const ReferencePlane reference(upper);
+  const auto squared_sigmas = static_cast<float>(parameters.clearly_below * parameters.clearly_below);
   int below = 0;
   extraction.forEachMember(lower, [&](const NoisySample& sample) {
-    const float along = normal.dot(sample.point);
-    const float height = along + distance;
-    below += height < 0.0F && height * height > sigmas * sigmas * sample.variance(along) ? 1 : 0;
+    below += reference.height(sample.point) < 0.0F && reference.deviation(sample) > squared_sigmas ? 1 : 0;
   });
   return below;
 }

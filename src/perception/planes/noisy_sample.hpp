@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "polygonal_perception/geometry/plane.hpp"
 #include "polygonal_perception/perception/planes/plane_extraction_parameters.hpp"
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
 
@@ -32,6 +33,29 @@ struct NoisySample
     const float noise = relative_noise * along;
     return noise * noise + model_variance;
   }
+};
+
+/// A plane that samples are held against.
+struct ReferencePlane
+{
+  explicit ReferencePlane(const geometry::Plane& plane)
+      : ReferencePlane(plane.normal.cast<float>(), static_cast<float>(plane.distance))
+  {
+  }
+  ReferencePlane(const Eigen::Vector3f& unit_normal, float offset) : normal(unit_normal), distance(offset) {}
+
+  float height(const Eigen::Vector3f& point) const { return normal.dot(point) + distance; }
+
+  /// The square of a sample's distance in standard deviations.
+  float deviation(const NoisySample& sample) const
+  {
+    const float along = normal.dot(sample.point);
+    const float height = along + distance;
+    return height * height / sample.variance(along);
+  }
+
+  Eigen::Vector3f normal;
+  float distance;
 };
 
 /// The samples of a grid, row by row.

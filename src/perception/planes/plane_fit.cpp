@@ -14,6 +14,8 @@ constexpr double kPointsPerIndependent = 4.0;
 /// it. This share of their distances from the plane does not average out, however many points there are. Without it
 /// one floor of fifty would be out of its three standard deviations (doc/floor.md).
 constexpr double kSharedError = 0.25;
+/// [m] No sensor measures a plane more exactly than this, and a simulated one without noise must not divide by zero.
+constexpr double kLeastError = 1e-5;
 
 /// Two axes that span a plane.
 Eigen::Matrix<double, 3, 2> axesOf(const Eigen::Vector3d& normal)
@@ -100,7 +102,7 @@ double PlaneFit::averaged(double variance) const
 
 Eigen::Matrix4d PlaneFit::covariance(const Result& fit, const std::optional<double>& sigma) const
 {
-  const double variance = fit.rms_error * fit.rms_error;
+  const double variance = std::max(fit.rms_error * fit.rms_error, kLeastError * kLeastError);
   const double of_mean = averaged(variance) + kSharedError * kSharedError * variance;
   const Eigen::Matrix<double, 3, 2> axes = axesOf(fit.plane.normal);
   Eigen::Matrix2d information = axes.transpose() * scatter() * axes / of_mean;

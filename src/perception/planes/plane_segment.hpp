@@ -9,26 +9,6 @@
 
 namespace polygonal_perception::perception {
 
-/// A plane that samples are held against.
-struct ReferencePlane
-{
-  explicit ReferencePlane(const geometry::Plane& plane)
-      : normal(plane.normal.cast<float>()), distance(static_cast<float>(plane.distance))
-  {
-  }
-
-  /// The square of a sample's distance in standard deviations.
-  float deviation(const NoisySample& sample) const
-  {
-    const float along = normal.dot(sample.point);
-    const float height = along + distance;
-    return height * height / sample.variance(along);
-  }
-
-  Eigen::Vector3f normal;
-  float distance;
-};
-
 /// Samples that lie on one plane, and their fit.
 struct PlaneSegment
 {

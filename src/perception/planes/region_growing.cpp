@@ -14,18 +14,15 @@ constexpr std::array<float, 3> kFlatness = {0.998F, 0.99F, 0.9F};
 /// The plane that grows.
 struct Growth
 {
-  Eigen::Vector3f normal;
-  float distance;
+  ReferencePlane plane;
   bool is_fitted = false;  // to enough samples to hold others against it
 
   bool accepts(const NoisySample& sample, const PlaneExtractionParameters& parameters) const
   {
-    if (!(sample.normal.dot(normal) > static_cast<float>(parameters.normal_cosine))) return false;
+    if (!(sample.normal.dot(plane.normal) > static_cast<float>(parameters.normal_cosine))) return false;
     if (!is_fitted) return true;
-    const float along = normal.dot(sample.point);
-    const float height = along + distance;
     const auto sigmas = static_cast<float>(parameters.growing_sigmas);
-    return height * height < sigmas * sigmas * sample.variance(along);
+    return plane.deviation(sample) < sigmas * sigmas;
   }
 };
 
@@ -72,12 +69,12 @@ void RegionGrowing::flood(std::uint32_t seed, const NoisySamples& samples,
 {
   const int id = static_cast<int>(segments.all.size());
   PlaneSegment segment;
-  Growth growth{samples[seed].normal, -samples[seed].normal.dot(samples[seed].point)};
+  Growth growth{ReferencePlane(samples[seed].normal, -samples[seed].normal.dot(samples[seed].point))};
   auto next_fit = static_cast<std::size_t>(parameters.least_samples);
   const auto join = [&](std::uint32_t k) {
     segments.of_sample[k] = id;
     members_.push_back(k);
-    segment.add(samples[k], growth.normal);
+    segment.add(samples[k], growth.plane.normal);
   };
   members_.clear();
   join(seed);
@@ -91,11 +88,11 @@ void RegionGrowing::flood(std::uint32_t seed, const NoisySamples& samples,
       join(there);
       if (members_.size() < next_fit) return;
       next_fit = 2 * members_.size();
-      const auto fit = segment.points.solve(growth.normal.cast<double>());
-      if (fit) growth = {fit->plane.normal.cast<float>(), static_cast<float>(fit->plane.distance), true};
+      const auto fit = segment.points.solve(growth.plane.normal.cast<double>());
+      if (fit) growth = {ReferencePlane(fit->plane), true};
     });
   }
-  if (segment.refit(growth.normal.cast<double>(), parameters)) {
+  if (segment.refit(growth.plane.normal.cast<double>(), parameters)) {
     segments.all.push_back(segment);
   } else {
     for (const std::uint32_t k : members_) segments.of_sample[k] = PlaneSegments::kNone;

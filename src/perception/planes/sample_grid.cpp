@@ -124,7 +124,7 @@ void SampleGrid::computeNormals()
       const Eigen::Vector3f normal = down.cross(across);
       const float length = normal.norm();
       if (!(length > 0.0F)) continue;
-      sample->normal = (1.0F / length) * normal;
+      sample->normal = normal / length;
       sample->has_normal = true;
     }
   }

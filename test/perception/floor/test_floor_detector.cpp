@@ -279,6 +279,41 @@ TEST_F(AtAStrip, TheStripBelowThePlatformIsTheFloor)
   EXPECT_NEAR(*found->others.begin(), 0.4, 0.01) << "the platform, above the floor";
 }
 
+TEST_F(AtAStrip, ThePlatformsSamplesAreNotTheFloors)
+{
+  SampleGrid grid{SampleGrid::Parameters{}};
+  grid.update(scene_.view());
+  FloorDetector detector{FloorDetector::Parameters{}};
+  const auto found = detector.detect(scene_.view(), grid, seed());
+  ASSERT_TRUE(found);
+  ASSERT_NEAR(found->plane.distance, 1.0, 0.01);
+  std::uint32_t on_the_floor = 0;
+  for (std::size_t k = 0; k < grid.samples().size(); ++k) {
+    const Sample& sample = grid.samples()[k];
+    if (!sample.has_point || detector.labels()[k] != SampleLabel::kFloor) continue;
+    ++on_the_floor;
+    EXPECT_NEAR(floor_.height(sample.point.cast<double>()), 0.0, 0.1)
+        << "sample " << k << " is labelled floor";
+  }
+  EXPECT_EQ(found->sample_count, on_the_floor);
+}
+
+TEST_F(AtAStrip, TheStripContinuesTheFloorThatWasAtItsHeight)
+{
+  const auto continuedAfter = [&](double height) {
+    FloorPrior prior;
+    prior.up = platform_.normal;
+    prior.up_is_measured = true;
+    prior.height = height;
+    prior.height_tolerance = 0.06;
+    const auto found = detect(scene_, prior);
+    EXPECT_TRUE(found && std::abs(found->plane.distance - 1.0) < 0.01);
+    return found && found->continued;
+  };
+  EXPECT_TRUE(continuedAfter(floor_.distance));
+  EXPECT_FALSE(continuedAfter(platform_.distance)) << "the last floor was the platform";
+}
+
 TEST_F(AtAStrip, AConfirmedFloorIsNoPlatform)
 {
   FloorPrior prior;

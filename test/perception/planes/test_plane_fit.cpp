@@ -234,6 +234,21 @@ TEST(PlaneFitNear, AgreesWithTheFitAloneWherePointsAbound)
   EXPECT_NEAR(near->plane.distance, alone->plane.distance, 1e-5);
 }
 
+TEST(PlaneFitCovariance, IsThatOfASensorWherePointsLieExactlyOnThePlane)
+{
+  PlaneFit points;
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j)
+      points.add(0.25F * static_cast<float>(i), 0.25F * static_cast<float>(j), -1.0F, 1.0F);
+  }
+  const auto fit = points.solve(Eigen::Vector3d::UnitZ());
+  ASSERT_TRUE(fit);
+  ASSERT_LT(fit->rms_error, 1e-6) << "a simulated camera without noise";
+  const Eigen::Matrix4d covariance = points.covariance(*fit, std::nullopt);
+  EXPECT_TRUE(covariance.allFinite()) << covariance;
+  EXPECT_GT(covariance(3, 3), 0.0);
+}
+
 TEST(PlaneFitNear, TwoPointsAreTooFew)
 {
   PlaneFit fit;
