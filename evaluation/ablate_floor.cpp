@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -206,15 +205,24 @@ int main(int argc, char** argv)
   int seeds = 2;
   int frames_each = 3;
   std::string recorded;
+  bool is_understood = argc % 2 == 1;
   for (int k = 1; k + 1 < argc; k += 2) {
-    if (std::strcmp(argv[k], "--seeds") == 0) seeds = std::atoi(argv[k + 1]);
-    if (std::strcmp(argv[k], "--frames") == 0) frames_each = std::atoi(argv[k + 1]);
-    if (std::strcmp(argv[k], "--recorded") == 0) recorded = argv[k + 1];
+    const std::string option = argv[k];
+    if (option == "--seeds") {
+      seeds = std::atoi(argv[k + 1]);
+    } else if (option == "--frames") {
+      frames_each = std::atoi(argv[k + 1]);
+    } else if (option == "--recorded") {
+      recorded = argv[k + 1];
+    } else {
+      is_understood = false;
+    }
   }
-  if (argc % 2 == 0 || seeds < 1 || frames_each < 1) {
+  if (!is_understood || seeds < 1 || frames_each < 1) {
     std::cerr << "usage: ablate_floor [--seeds N] [--frames N] [--recorded FRAMES.json]\n"
                  "  --seeds    layouts of each scene and trajectory (2)\n"
-                 "  --frames   of each layout (3)\n";
+                 "  --frames   of each layout (3)\n"
+                 "  --recorded recorded frames and their floors\n";
     return 2;
   }
   try {

@@ -4,7 +4,7 @@
 
 namespace polygonal_perception::perception {
 
-/// What decides the final fit of the floor. What each is worth is measured in doc/floor.md.
+/// What decides the final fit of the floor. What each is worth is measured in doc/floor_ablation.md.
 struct FloorRefinementParameters
 {
   /// A pixel counts as one of the floor within this many standard deviations of its height, but within

@@ -5,7 +5,7 @@
 namespace polygonal_perception::perception {
 
 /// What decides which plane is the floor: a sum of terms in nats (natural logarithms of odds, so that 1 is a factor
-/// of 2.7 and 3 one of 20). What each is worth is measured in doc/floor.md.
+/// of 2.7 and 3 one of 20). What each is worth is measured in doc/floor_ablation.md.
 struct FloorSelectionParameters
 {
   /// Bounds: they rule planes out, and speak for none.

@@ -5,7 +5,7 @@
 
 namespace polygonal_perception::perception {
 
-/// What decides which samples make a plane. What each is worth is measured in doc/floor.md.
+/// What decides which samples make a plane. What each is worth is measured in doc/floor_ablation.md.
 struct PlaneExtractionParameters
 {
   SensorNoise noise;

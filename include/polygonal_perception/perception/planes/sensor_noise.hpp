@@ -20,18 +20,18 @@ struct SensorNoise
   /// The names of the presets, the default first.
   static constexpr const char* kPresets = "xtion, realsense_d435, time_of_flight, lidar";
 
-  /// What has been published of a kind of sensor; nothing where there is no preset of that name.
+  /// What is known of a kind of sensor; nothing where there is no preset of that name.
   static std::optional<SensorNoise> preset(const std::string& name)
   {
     // Nguyen, Izadi, Lovell: Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking, 2012:
     // 1.2 mm + 1.9 mm (z - 0.4)^2.
     if (name == "xtion") return SensorNoise{};
-    // Ahn, Chae, Shin, Cho, Hong: Analysis and Noise Modeling of the Intel RealSense D435 for Mobile Robots, 2019, as
-    // elevation_mapping has it: 0.611 mm + 3.587 mm (z - 0.3515)^2.
+    // As a ROS 2 launch file derived from elevation_mapping has it: 0.611 mm + 3.587 mm (z - 0.3515)^2. Elevation_mapping's
+    // own file of that name has 2.4 mm + 6.6 mm (z - 0.77)^2 of the older ZR300: set noise_* for that.
     if (name == "realsense_d435") return SensorNoise{0.001054, -0.002522, 0.003587};
     // Tölgyessy, Dekan, Chovanec, Hubinský: Evaluation of the Azure Kinect, 2021: at most 17 mm up to 3.5 m.
     if (name == "time_of_flight") return SensorNoise{0.001, 0.0, 0.0013};
-    // Glennie, Kusari, Facchin: Calibration and Stability Analysis of the VLP-16 Laser Scanner, 2016: 22 mm.
+    // A rule of thumb for spinning lidars, not measured here.
     if (name == "lidar") return SensorNoise{0.022, 0.0, 0.0};
     return std::nullopt;
   }
