@@ -37,6 +37,8 @@ std::string DepthStream::open(const SourceOptions& options)
   if (device_.open(choice.uri.c_str()) != openni::STATUS_OK) return failure("cannot open " + choice.uri);
   uri_ = choice.uri;
   registered_ = options.registration;
+  loop_ = options.loop;
+  last_index_ = -1;
   serial_ = serialNumber(device_);
   std::string error = configure(options);
   if (!error.empty()) close();
@@ -48,7 +50,9 @@ std::string DepthStream::configure(const SourceOptions& options)
   if (stream_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK)
     return failure(uri_ + " gives no depth stream");
   if (isFile()) {
-    device_.getPlaybackControl()->setRepeatEnabled(options.loop);
+    // Always: at the end of a file that does not repeat, OpenNI's player turns in an empty loop over its streams
+    // without a lock, and crashes now and then when they are destroyed (13 of 216 times on a busy machine).
+    device_.getPlaybackControl()->setRepeatEnabled(true);
     return {};
   }
   if (options.registration) {
@@ -123,6 +127,9 @@ DepthStream::Read DepthStream::read(std::chrono::milliseconds timeout,
   if (status == openni::STATUS_TIME_OUT) return Read::kNothing;
   if (status != openni::STATUS_OK || stream_.readFrame(&frame_) != openni::STATUS_OK) return Read::kFailed;
   if (frame_.getVideoMode().getPixelFormat() != openni::PIXEL_FORMAT_DEPTH_1_MM) return Read::kFailed;
+  const bool begun_again = isFile() && frame_.getFrameIndex() <= last_index_;
+  last_index_ = frame_.getFrameIndex();
+  if (begun_again && !loop_) return Read::kEnd;
   DepthFrame frame;
   frame.data = static_cast<const std::uint8_t*>(frame_.getData());
   frame.step = static_cast<std::size_t>(frame_.getStrideInBytes());

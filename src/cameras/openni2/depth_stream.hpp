@@ -18,6 +18,7 @@ public:
   {
     kFrame,
     kNothing,  ///< in that time
+    kEnd,      ///< of a recording that is not to begin again; its thread still plays until stop()
     kFailed
   };
 
@@ -46,6 +47,8 @@ private:
   std::string uri_;
   std::string serial_;
   bool registered_ = false;
+  bool loop_ = true;
+  int last_index_ = -1;  // of the frames of a recording
   // In this order: the stream goes before its device.
   openni::Device device_;
   openni::VideoStream stream_;

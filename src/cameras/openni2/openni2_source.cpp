@@ -86,6 +86,7 @@ private:
     change([this] {
       uri_ = stream_.uri();
       lost_ = false;
+      ended_ = false;
     });
     report(Severity::kInfo, "opened " + stream_.description());
     return true;
@@ -100,7 +101,7 @@ private:
         works = stream();
       } else {
         std::unique_lock<std::mutex> lock(mutex_);
-        changed_.wait(lock, [this] { return wanted_ || stopping_ || lost_; });
+        changed_.wait(lock, [this] { return (wanted_ && !ended_) || stopping_ || lost_; });
       }
     }
     if (lost()) report(Severity::kWarning, stream_.uri() + " has gone");
@@ -122,16 +123,15 @@ private:
       const DepthStream::Read read = stream_.read(kFrameWait, on_frame_);
       if (read == DepthStream::Read::kFrame) {
         last = steady_clock::now();
+      } else if (read == DepthStream::Read::kEnd) {
+        report(Severity::kInfo, stream_.uri() + " has been played to its end");
+        change([this] { ended_ = true; });
       } else if (read == DepthStream::Read::kFailed) {
         report(Severity::kWarning, stream_.uri() + " gives frames that cannot be read as millimetres");
         return false;
       } else if (steady_clock::now() - last > kSilence) {
-        if (!stream_.isFile() || options_.loop) {
-          report(Severity::kWarning, stream_.uri() + " has stopped sending frames");
-          return false;
-        }
-        report(Severity::kInfo, stream_.uri() + " has been played to its end");
-        last = steady_clock::now();
+        report(Severity::kWarning, stream_.uri() + " has stopped sending frames");
+        return false;
       }
     }
     if (!lost()) stream_.stop();
@@ -147,7 +147,11 @@ private:
   }
 
   bool stopping() { return locked(stopping_); }
-  bool wanted() { return locked(wanted_); }
+  bool wanted()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return wanted_ && !ended_;
+  }
   bool lost() { return locked(lost_); }
   bool over() { return stopping() || lost(); }
   bool locked(const bool& flag)
@@ -170,7 +174,8 @@ private:
   bool stopping_ = false;
   bool wanted_ = false;
   bool lost_ = false;
-  std::string uri_;  // of the device that is open
+  bool ended_ = false;  // the recording
+  std::string uri_;     // of the device that is open
 
   DepthStream stream_;
   std::string reported_;
