@@ -181,7 +181,6 @@ class ReloadTest(unittest.TestCase):
         self.load()
         self.wait_for_floors()
         for value in BAD_VALUES:
-            # The one parameter that is read again and again.
             rospy.set_param(NODE + '/diagnostic_period', value)
             self.wait_for_floors(5, 'floors with a diagnostic_period of %s' % value)
         for value in (5, 'text', [1, 2], {'a': 'b'}):

@@ -262,14 +262,30 @@ TEST_F(TimeTest, NoDiagnosticPeriodTakesTheNodeDown)
   for (const double period : {kNan, kInfinity, -kInfinity, 1e300, -1.0, 0.0}) {
     private_handle_.setParam("diagnostic_period", period);
     expectReports();
-    double kept = 0.0;
-    private_handle_.getParam("diagnostic_period", kept);
-    EXPECT_EQ(kept, 1.0) << "in the place of " << period;
-    // And at its start.
     const ros::NodeHandle other(handle_, "other");
     other.setParam("diagnostic_period", period);
     EXPECT_NO_THROW(ros_perception::PerceptionNode(handle_, other)) << period;
+    EXPECT_EQ(other.param("diagnostic_period", 0.0), 1.0) << "in the place of " << period;
   }
+}
+
+/// roscpp caches a parameter in the process, and roscore tells it late of a change.
+TEST_F(TimeTest, ACachedDiagnosticPeriodTakesNoNodeDown)
+{
+  const ros::NodeHandle other(handle_, "cached");
+  double cached = 0.0;
+  other.setParam("diagnostic_period", 1e300);
+  ASSERT_TRUE(other.getParamCached("diagnostic_period", cached));
+  ASSERT_EQ(cached, 1e300);
+  // As another process does it: this one's cache knows nothing of it until roscore's news arrives.
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue payload;
+  request[0] = "/another_process";
+  request[1] = other.resolveName("diagnostic_period");
+  request[2] = 0.5;
+  ASSERT_TRUE(ros::master::execute("setParam", request, response, payload, true));
+  EXPECT_NO_THROW(ros_perception::PerceptionNode(handle_, other));
 }
 
 }  // namespace

@@ -1,20 +1,30 @@
 #include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/console.h>
+
 #include <exception>
 #include <utility>
 
-#include "ros/common/diagnostic_period.hpp"
+#include "polygonal_perception/parameters/parameter_check.hpp"
 
 namespace polygonal_perception::ros_common {
-
 namespace {
 
-/// The updater reads the period when it is made, from the server: by then it must be one that it survives. What an
-/// earlier node of this process has cached may be another one.
-const ros::NodeHandle& withCheckedPeriod(const ros::NodeHandle& private_handle)
+/// [s] between two reports, by the parameter.
+double readPeriod(const ros::NodeHandle& private_handle)
 {
-  ensureDiagnosticPeriod(private_handle, PeriodSource::kServer);
-  return private_handle;
+  constexpr char kName[] = "diagnostic_period";
+  constexpr parameters::Range kRange{0.01, 3600.0};
+  constexpr double kDefault = 1.0;  // diagnostic_updater's
+  double period = kDefault;
+  private_handle.getParam(kName, period);
+  // Written so that NaN fails.
+  if (period >= kRange.min && period <= kRange.max) return period;
+  ROS_ERROR_STREAM("parameter " << private_handle.resolveName(kName) << " is " << period << ", accepted is "
+                                << parameters::rangeText(kRange, "s") << "; it becomes " << kDefault);
+  private_handle.setParam(kName, kDefault);
+  return kDefault;
 }
 
 }  // namespace
@@ -23,31 +33,35 @@ DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ro
                                          std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
                                          std::function<InputTopics::Unsubscribed()> retry,
                                          std::function<void(Status&)> fill)
-    : private_handle_(withCheckedPeriod(private_handle)),
+    : name_(private_handle.getNamespace().substr(1) + ": frames"),
+      fill_(std::move(fill)),
       log_(log),
-      updater_(handle, private_handle, private_handle.getNamespace())
+      publisher_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1))
 {
-  updater_.setHardwareID("none");
-  updater_.add("frames", std::move(fill));
-  // The updater may have read another value, one that never ends, of a parameter that changes just now.
-  timer_ = ros::NodeHandle(handle).createWallTimer(
-      ros::WallDuration(ensureDiagnosticPeriod(private_handle_, PeriodSource::kCache)),
-      unsubscribingOutside(gate, [this, retry = std::move(retry)] {
-        InputTopics::Unsubscribed unsubscribed = retry();
-        report();
-        return unsubscribed;
-      }));
+  timer_ =
+      ros::NodeHandle(handle).createWallTimer(ros::WallDuration(readPeriod(private_handle)),
+                                              unsubscribingOutside(gate, [this, retry = std::move(retry)] {
+                                                InputTopics::Unsubscribed unsubscribed = retry();
+                                                report();
+                                                return unsubscribed;
+                                              }));
 }
 
 void DiagnosticsReporter::report()
 {
-  ensureDiagnosticPeriod(private_handle_, PeriodSource::kCache);
-  // It adds its period to the clock, which throws at the end of ROS's time.
+  Status status;
+  status.name = name_;
+  status.hardware_id = "none";
   try {
-    updater_.force_update();
+    fill_(status);
   } catch (const std::exception& error) {
     log_.error("diagnostics", std::string("no diagnostics: ") + error.what());
+    return;
   }
+  diagnostic_msgs::DiagnosticArray report;
+  report.header.stamp = ros::Time::now();
+  report.status.push_back(status);
+  publisher_.publish(report);
 }
 
 void addStatistics(const FrameStatistics& statistics, DiagnosticsReporter::Status& status)

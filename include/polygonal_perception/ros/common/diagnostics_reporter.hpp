@@ -1,7 +1,8 @@
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <ros/wall_timer.h>
 
 #include <functional>
@@ -17,7 +18,11 @@
 namespace polygonal_perception::ros_common {
 
 /// Reports a node's state on /diagnostics, once a `diagnostic_period` by the wall clock: a bag that stands
-/// still is worth a report, too.
+/// still is worth a report, too. The period is read once; one that is out of its range is refused, and 1 s instead.
+///
+/// It needs no diagnostic_updater::Updater: that reads the period at its start and before each report from what
+/// roscpp has cached, which a forerunner in the same manager may have left there, and throws when no
+/// ros::Duration can hold it.
 class POLYGONAL_PERCEPTION_EXPORT DiagnosticsReporter
 {
 public:
@@ -34,9 +39,10 @@ public:
 private:
   void report();
 
-  ros::NodeHandle private_handle_;
+  const std::string name_;
+  const std::function<void(Status&)> fill_;
   ThrottledLog& log_;
-  diagnostic_updater::Updater updater_;
+  ros::Publisher publisher_;
   ros::WallTimer timer_;
 };
 
