@@ -39,7 +39,10 @@ double timeOf(Work&& work)
 class Subject
 {
 public:
-  explicit Subject(Input input) : input_(input), pipeline_(perception::Pipeline::Parameters{}) {}
+  Subject(Input input, perception::Products products)
+      : input_(input), products_(products), pipeline_(perception::Pipeline::Parameters{})
+  {
+  }
 
   /// Processes a frame and says how long that took.
   double operator()(const CameraFrame& camera_frame)
@@ -47,7 +50,7 @@ public:
     perception::Frame frame;
     frame.points = camera_frame.view(input_);
     frame.stamp = stamp_ += kFramePeriod;
-    const double time = timeOf([&] { pipeline_.process(frame); });
+    const double time = timeOf([&] { pipeline_.process(frame, products_); });
     const perception::Pipeline::Result& result = pipeline_.result();
     if (result.floor.status != perception::FloorStatus::kFound || result.polygons.rings.empty()) {
       std::fprintf(stderr, "%s: a frame without floor or polygons: there is nothing to measure\n",
@@ -67,14 +70,15 @@ public:
     };
     std::printf(
         "%-12s samples %5.1f us, floor %5.1f us, projection %5.1f us, inflation %5.1f us, polygons %5.1f "
-        "us\n",
+        "us, planes %5.1f us\n",
         nameOf(input_), stage(&perception::StageTimes::samples), stage(&perception::StageTimes::floor),
         stage(&perception::StageTimes::projection), stage(&perception::StageTimes::inflation),
-        stage(&perception::StageTimes::polygons));
+        stage(&perception::StageTimes::polygons), stage(&perception::StageTimes::planes));
   }
 
 private:
   Input input_;
+  perception::Products products_;
   perception::Pipeline pipeline_;
   double stamp_ = 0.0;
   std::vector<perception::StageTimes> times_;
@@ -99,8 +103,12 @@ private:
 int measure()
 {
   const auto frames = drive(Surroundings::kOffice, 640, 480, kFrames);
-  Subject cloud(Input::kCloud16);
-  Subject depth(Input::kDepthMillimetres);
+  using perception::Product;
+  Subject cloud(Input::kCloud16, Product::kPolygons);
+  Subject depth(Input::kDepthMillimetres, Product::kPolygons);
+  // What is given only where somebody reads it.
+  Subject cloud_planes(Input::kCloud16, {Product::kPolygons, Product::kPlanes});
+  Subject depth_planes(Input::kDepthMillimetres, {Product::kPolygons, Product::kPlanes});
   std::vector<double> cloud_passes;
   std::vector<double> depth_passes;
   volatile std::uint64_t sum = 0;
@@ -115,6 +123,8 @@ int measure()
         reads.add(k, timeOf([&] { sum = readPass(bytes.data(), bytes.size() * sizeof(float)); }));
         clouds.add(k, cloud(*frames[k]));
         depths.add(k, depth(*frames[k]));
+        cloud_planes(*frames[k]);
+        depth_planes(*frames[k]);
       }
     }
     cloud_passes.push_back(clouds.total() / reads.total());
@@ -123,8 +133,7 @@ int measure()
                 reads.total() / kFrames, clouds.total() / kFrames, cloud_passes.back(),
                 depths.total() / kFrames, depth_passes.back());
   }
-  cloud.printStages();
-  depth.printStages();
+  for (const Subject* subject : {&cloud, &depth, &cloud_planes, &depth_planes}) subject->printStages();
   std::printf("read passes: cloud %.2f, depth %.2f\n", median(cloud_passes), median(depth_passes));
   return EXIT_SUCCESS;
 }

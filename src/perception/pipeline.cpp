@@ -10,6 +10,7 @@ namespace polygonal_perception::perception {
 Pipeline::Pipeline(const Parameters& parameters)
     : parameters_(parameters),
       tracker_(parameters.tracker, parameters.detector),
+      segmentation_(parameters.segmentation),
       projection_(parameters.projection),
       drop_offs_(parameters.drop_offs),
       inflation_(parameters.inflation),
@@ -38,6 +39,8 @@ const Pipeline::Result& Pipeline::process(const Frame& frame, Products products)
   // Section III-A; III-B to III-D
   run(Product::kFloor, &Times::samples, [&] { r.samples.update(frame.points); });
   run(Product::kFloor, &Times::floor, [&] { findFloor(frame); });
+  // III-B, last lines
+  run(Product::kPlanes, &Times::planes, [&] { listPlanes(frame); });
   if (r.floor.status == FloorStatus::kNotFound) return r;
 
   // Figure 3
@@ -67,6 +70,7 @@ void Pipeline::clearResult(Products products)
   result_.products = products;
   result_.times = StageTimes{};
   result_.labels.clear();
+  result_.planes.clear();
   result_.occupancy.reset(geometry);
   result_.obstacle_points.clear();
   result_.inflated.reset(geometry);
@@ -81,6 +85,14 @@ void Pipeline::findFloor(const Frame& frame)
   findForward(frame);
   if (result_.floor.status == FloorStatus::kNotFound) return;
   result_.to_floor_frame = floorFrame(result_.floor.floor.plane, result_.forward);
+}
+
+void Pipeline::listPlanes(const Frame& frame)
+{
+  std::optional<Eigen::Vector3d> up = frame.up_from_tf;
+  if (result_.floor.status != FloorStatus::kNotFound) up = result_.floor.floor.plane.normal;
+  segmentation_.segment(frame.points, result_.samples, tracker_.detector(), result_.floor, up,
+                        result_.planes);
 }
 
 void Pipeline::findForward(const Frame& frame)
@@ -108,6 +120,7 @@ void Pipeline::skip()
 void Pipeline::reset()
 {
   tracker_.reset();
+  segmentation_.reset();
   forward_.reset();
   skip();
   result_.floor_hull.clear();
@@ -118,6 +131,7 @@ void Pipeline::configure(const Parameters& parameters)
   parameters_ = parameters;
   result_.samples = SampleGrid(parameters.samples);
   tracker_.configure(parameters.tracker, parameters.detector);
+  segmentation_.configure(parameters.segmentation);
   projection_ = Projection(parameters.projection);
   drop_offs_ = DropOffs(parameters.drop_offs);
   inflation_ = Inflation(parameters.inflation);

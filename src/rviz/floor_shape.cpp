@@ -4,14 +4,11 @@
 #include <OgreSceneNode.h>
 #include <rviz/ogre_helpers/movable_text.h>
 
+#include "rviz/ogre_vector.hpp"
+
 namespace polygonal_perception::displays {
 
 namespace {
-
-Ogre::Vector3 toOgre(const Eigen::Vector3d& p)
-{
-  return {static_cast<Ogre::Real>(p.x()), static_cast<Ogre::Real>(p.y()), static_cast<Ogre::Real>(p.z())};
-}
 
 std::unique_ptr<rviz::Arrow> makeNormal(Ogre::SceneManager& scene, Ogre::SceneNode& parent,
                                         const Eigen::Vector3d& foot, const Eigen::Vector3d& direction,

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygonal_perception/geometry/polygon_set.hpp"
+#include "polygonal_perception/geometry/triangulation.hpp"
+
 namespace polygonal_perception::displays {
 
 namespace {
@@ -13,19 +16,36 @@ bool isFinite(const geometry_msgs::Point32& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-Eigen::Vector3d normalOf(const FloorPlane& floor)
+/// Of a FloorPlane or a Plane.
+template <class Message>
+Eigen::Vector3d normalOf(const Message& plane)
 {
-  return {floor.normal.x, floor.normal.y, floor.normal.z};
+  return {plane.normal.x, plane.normal.y, plane.normal.z};
+}
+
+/// Whether the normal is a unit vector, and distance and points are finite.
+template <class Message>
+bool isPlane(const Message& plane, const std::vector<geometry_msgs::Point32>& points)
+{
+  constexpr double kUnitTolerance = 1e-3;
+  // Written so that a normal or a distance of NaN fails.
+  return std::abs(normalOf(plane).norm() - 1.0) < kUnitTolerance && std::isfinite(plane.distance) &&
+         std::all_of(points.begin(), points.end(), isFinite);
+}
+
+std::vector<Eigen::Vector3d> toPoints(const std::vector<geometry_msgs::Point32>& messages)
+{
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(messages.size());
+  for (const geometry_msgs::Point32& p : messages) points.emplace_back(p.x, p.y, p.z);
+  return points;
 }
 
 }  // namespace
 
 bool isDrawable(const FloorPlane& floor)
 {
-  constexpr double kUnitTolerance = 1e-3;
-  // Written so that a normal or a distance of NaN fails.
-  return std::abs(normalOf(floor).norm() - 1.0) < kUnitTolerance && std::isfinite(floor.distance) &&
-         std::all_of(floor.hull.begin(), floor.hull.end(), isFinite);
+  return isPlane(floor, floor.hull);
 }
 
 Eigen::Vector3d footOf(const FloorPlane& floor)
@@ -35,10 +55,7 @@ Eigen::Vector3d footOf(const FloorPlane& floor)
 
 std::vector<Eigen::Vector3d> hullOf(const FloorPlane& floor)
 {
-  std::vector<Eigen::Vector3d> hull;
-  hull.reserve(floor.hull.size());
-  for (const geometry_msgs::Point32& p : floor.hull) hull.emplace_back(p.x, p.y, p.z);
-  return hull;
+  return toPoints(floor.hull);
 }
 
 std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size)
@@ -59,6 +76,31 @@ std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size)
   const double half = size / 2.0;
   return {middle + half * (forward + left), middle + half * (left - forward),
           middle - half * (forward + left), middle + half * (forward - left)};
+}
+
+bool isDrawable(const Plane& plane)
+{
+  return isPlane(plane, plane.boundary) && plane.boundary.size() >= 3;
+}
+
+std::vector<Eigen::Vector3d> boundaryOf(const Plane& plane)
+{
+  return toPoints(plane.boundary);
+}
+
+std::vector<Eigen::Vector3d> trianglesOf(const Plane& plane)
+{
+  const Eigen::Vector3d normal = normalOf(plane);
+  const Eigen::Vector3d a = normal.unitOrthogonal();
+  const Eigen::Vector3d b = normal.cross(a);
+  std::vector<Eigen::Vector2d> ring;
+  for (const Eigen::Vector3d& p : boundaryOf(plane)) ring.emplace_back(a.dot(p), b.dot(p));
+  geometry::PolygonSet polygon;
+  polygon.append({ring.data(), ring.size()}, false);
+  std::vector<Eigen::Vector3d> corners;
+  for (const Eigen::Vector2d& corner : geometry::triangulate(polygon))
+    corners.emplace_back(corner.x() * a + corner.y() * b - plane.distance * normal);
+  return corners;
 }
 
 }  // namespace polygonal_perception::displays

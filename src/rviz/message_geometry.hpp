@@ -1,11 +1,12 @@
 #pragma once
 
 #include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/Plane.h>
 
 #include <Eigen/Core>
 #include <vector>
 
-/// What a FloorPlane says, as geometry to draw. A display draws what any node publishes: nothing is taken on
+/// What a FloorPlane or a Plane says, as geometry to draw. A display draws what any node publishes: nothing is taken on
 /// trust here.
 namespace polygonal_perception::displays {
 
@@ -23,5 +24,14 @@ std::vector<Eigen::Vector3d> hullOf(const FloorPlane& floor);
 ///
 /// @param size  [m] length of a side
 std::vector<Eigen::Vector3d> patchOf(const FloorPlane& floor, double size);
+
+/// Whether the normal is a unit vector and distance and boundary are finite, with at least three points.
+bool isDrawable(const Plane& plane);
+
+/// The points of the boundary. @pre isDrawable
+std::vector<Eigen::Vector3d> boundaryOf(const Plane& plane);
+
+/// The area inside of the boundary, three corners a triangle. @pre isDrawable
+std::vector<Eigen::Vector3d> trianglesOf(const Plane& plane);
 
 }  // namespace polygonal_perception::displays

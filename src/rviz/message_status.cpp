@@ -1,5 +1,7 @@
 #include "rviz/message_status.hpp"
 
+#include <algorithm>
+
 #include "rviz/message_geometry.hpp"
 
 namespace polygonal_perception::displays {
@@ -50,6 +52,26 @@ StatusLine floorStatus(const FloorPlane& floor)
   return {StatusProperty::Ok, QString("FOUND, %1, %2, rms error %3 mm")
                                   .arg(height, counted(floor.sample_count, "sample"))
                                   .arg(1000.0 * floor.rms_error, 0, 'f', 1)};
+}
+
+StatusLine planeStatus(const PlaneArray& array, std::size_t malformed)
+{
+  if (malformed > 0) {
+    return {StatusProperty::Error,
+            QString("%1 left out: the normal is no unit vector, or a value is not finite, or an "
+                    "outline has fewer than 3 points")
+                .arg(counted(malformed, "plane"))};
+  }
+  const auto of_kind = [&array](std::uint8_t kind) {
+    return std::count_if(array.planes.begin(), array.planes.end(),
+                         [kind](const Plane& plane) { return plane.kind == kind; });
+  };
+  return {StatusProperty::Ok, QString("%1: %2 floor, %3 horizontal, %4 vertical, %5 sloped")
+                                  .arg(counted(array.planes.size(), "plane"))
+                                  .arg(of_kind(Plane::FLOOR))
+                                  .arg(of_kind(Plane::HORIZONTAL))
+                                  .arg(of_kind(Plane::VERTICAL))
+                                  .arg(of_kind(Plane::SLOPED))};
 }
 
 StatusLine polygonStatus(const PolygonArray& array, std::size_t malformed, const std::string& error)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/PlaneArray.h>
 #include <polygonal_perception/PolygonArray.h>
 #include <rviz/properties/status_property.h>
 
@@ -22,6 +23,11 @@ StatusLine floorStatus(const PolygonArray& array);
 /// Status of the floor, its height, how well it was measured. Anything but FOUND is a warning; a plane that
 /// cannot be drawn is an error.
 StatusLine floorStatus(const FloorPlane& floor);
+
+/// How many planes of each kind an array has.
+///
+/// @param malformed  number of planes that cannot be drawn; any is an error
+StatusLine planeStatus(const PlaneArray& array, std::size_t malformed);
 
 /// How many polygons, holes and vertices an array has.
 ///

@@ -32,6 +32,8 @@ ROOMS = [
     Room('perception/grid', 'perception', ['Eigen/'], BASE + ['perception/input']),
     Room('perception/polygons', 'perception', ['Eigen/'],
          BASE + ['perception/input', 'perception/floor', 'perception/grid']),
+    Room('perception/segmentation', 'perception', ['Eigen/'],
+         BASE + ['perception/' + room for room in ('input', 'planes', 'floor', 'grid', 'polygons')]),
     Room('perception', 'perception', ['Eigen/'], BASE + ['perception']),
     Room('mapping', 'mapping', ['Eigen/'], BASE),
     Room('planning', 'planning', ['Eigen/'], BASE),

@@ -11,7 +11,8 @@ TEST(Products, BringAllThatTheyAreMadeOf)
   for (const Product part : {Product::kPolygons, Product::kInflation, Product::kOccupancy, Product::kFloor}) {
     EXPECT_TRUE(polygons.has(part)) << "product " << static_cast<int>(part);
   }
-  for (const Product other : {Product::kObstaclePoints, Product::kFloorHull, Product::kSampleLabels}) {
+  for (const Product other :
+       {Product::kObstaclePoints, Product::kFloorHull, Product::kSampleLabels, Product::kPlanes}) {
     EXPECT_FALSE(polygons.has(other)) << "product " << static_cast<int>(other);
   }
   EXPECT_TRUE(Products(Product::kFloorHull).has(Product::kSampleLabels));
@@ -23,6 +24,7 @@ TEST(Products, AreSets)
   const Products both = Products(Product::kFloorHull) | Product::kOccupancy;
   EXPECT_EQ(both, (Products{Product::kOccupancy, Product::kFloorHull}));
   EXPECT_EQ(both.inInputFrame(), Products(Product::kFloorHull));
+  EXPECT_EQ((Products{Product::kPolygons, Product::kPlanes}.inInputFrame()), Products(Product::kPlanes));
   EXPECT_NE(both, Products(Product::kFloorHull));
 }
 

@@ -17,6 +17,7 @@
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"
 #include "polygonal_perception/perception/products.hpp"
+#include "polygonal_perception/perception/segmentation/plane_segmentation.hpp"
 #include "polygonal_perception/perception/stage_times.hpp"
 
 namespace polygonal_perception::perception {
@@ -38,6 +39,7 @@ public:
     SampleGrid::Parameters samples;
     FloorTracker::Parameters tracker;
     FloorDetector::Parameters detector;
+    PlaneSegmentation::Parameters segmentation;
     GridParameters grid;
     Projection::Parameters projection;
     DropOffs::Parameters drop_offs;
@@ -77,6 +79,7 @@ public:
     Eigen::Isometry3d to_floor_frame = Eigen::Isometry3d::Identity();
     SampleGrid samples;               ///< of the frame
     std::vector<SampleLabel> labels;  ///< of each sample; empty where nobody asked
+    SegmentedPlanes planes;           ///< also where no floor was found
     std::vector<Eigen::Vector3f>
         floor_hull;        ///< [m] in the input's frame; a held floor's is the one it was found with
     BinaryGrid occupancy;  ///< free everywhere when NOT_FOUND or not asked for
@@ -113,6 +116,7 @@ public:
 private:
   void clearResult(Products products);
   void findFloor(const Frame& frame);
+  void listPlanes(const Frame& frame);
   void findForward(const Frame& frame);
 
   template <class Stage>
@@ -120,6 +124,7 @@ private:
 
   Parameters parameters_;
   FloorTracker tracker_;
+  PlaneSegmentation segmentation_;
   Projection projection_;
   DropOffs drop_offs_;
   Inflation inflation_;

@@ -13,6 +13,7 @@ enum class Product : std::uint8_t
   kFloor,           ///< the plane, its status, and the floor frame
   kSampleLabels,    ///< what became of each sample (figure 3 of the paper)
   kFloorHull,       ///< the convex hull of the floor's samples
+  kPlanes,          ///< all planes, with outlines and ids
   kOccupancy,       ///< the cells in which something stands
   kObstaclePoints,  ///< the points that stand in them
   kInflation,       ///< the cells within robot_radius of those
@@ -72,6 +73,7 @@ private:
         return Product::kSampleLabels;
       case Product::kFloor:
       case Product::kSampleLabels:
+      case Product::kPlanes:
       case Product::kOccupancy:
       case Product::kObstaclePoints:
         break;
@@ -85,6 +87,7 @@ private:
       case Product::kFloor:
       case Product::kSampleLabels:
       case Product::kFloorHull:
+      case Product::kPlanes:
         return false;
       case Product::kOccupancy:
       case Product::kObstaclePoints:

@@ -12,6 +12,7 @@ struct StageTimes
 
   Duration samples{0};
   Duration floor{0};
+  Duration planes{0};
   Duration floor_hull{0};
   Duration projection{0};
   Duration obstacle_points{0};
@@ -24,6 +25,7 @@ struct StageTimes
   {
     visit("samples", self.samples);
     visit("floor", self.floor);
+    visit("planes", self.planes);
     visit("floor hull", self.floor_hull);
     visit("projection", self.projection);
     visit("obstacle points", self.obstacle_points);

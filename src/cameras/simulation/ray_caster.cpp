@@ -18,6 +18,7 @@ struct Material
 {
   Surface surface;
   float reflectance;
+  std::uint16_t plane;
 };
 
 /// The triangles of some solids as one Embree scene.
@@ -41,10 +42,10 @@ public:
   const Material& material(unsigned triangle) const { return materials_[triangle]; }
 
   /// Sets the triangles; from the second call on only the vertices may differ.
-  void set(const std::vector<Solid>& solids)
+  void set(const std::vector<Solid>& solids, const ScenePlanes& planes)
   {
     if (solids.empty()) return;
-    if (empty()) allocate(solids);
+    if (empty()) allocate(solids, planes);
     for (const Solid& solid : solids) {
       for (const Eigen::Vector3f& v : solid.vertices) vertex_ = std::copy(v.data(), v.data() + 3, vertex_);
     }
@@ -62,14 +63,19 @@ private:
     return mesh;
   }
 
-  void allocate(const std::vector<Solid>& solids)
+  void allocate(const std::vector<Solid>& solids, const ScenePlanes& planes)
   {
     std::size_t vertex_count = 0;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (const Solid& solid : solids) {
       const auto first = static_cast<std::uint32_t>(vertex_count);
       for (const auto& t : solid.triangles) triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-      materials_.insert(materials_.end(), solid.triangles.size(), {solid.surface, solid.reflectance});
+      for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+        const std::size_t k = materials_.size();
+        materials_.push_back(
+            {solid.surface, solid.reflectance,
+             k < planes.ofTriangles().size() ? planes.ofTriangles()[k] : ScenePlanes::kNone});
+      }
       vertex_count += solid.vertices.size();
     }
     vertices_ = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -93,11 +99,11 @@ private:
 class RayCaster::Device
 {
 public:
-  explicit Device(const Scene& scene) : scene_(&scene), device_(newDevice())
+  explicit Device(const Scene& scene) : scene_(&scene), planes_(scene.solids), device_(newDevice())
   {
     still_ = std::make_unique<Body>(device_, RTC_BUILD_QUALITY_HIGH);
     moving_ = std::make_unique<Body>(device_, RTC_BUILD_QUALITY_LOW);
-    still_->set(scene.solids);
+    still_->set(scene.solids, planes_);
   }
   ~Device()
   {
@@ -108,10 +114,12 @@ public:
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
+  const ScenePlanes& planes() const { return planes_; }
+
   void move(double time)
   {
     scene_->walkersAt(time, people_);
-    moving_->set(people_);
+    moving_->set(people_, {});
   }
 
   void cast(const PinholeCamera& camera, const Eigen::Isometry3d& camera_to_world, RayImage& image) const
@@ -176,6 +184,7 @@ private:
         image.cosine[pixel] = 0.0F;
         image.reflectance[pixel] = 0.0F;
         image.surface[pixel] = Surface::kNone;
+        image.plane[pixel] = ScenePlanes::kNone;
         continue;
       }
       const Body& body = rays.ray.tfar[i] < nearest[i] ? *moving_ : *still_;
@@ -187,10 +196,12 @@ private:
           std::abs(normal.dot(direction)) / std::sqrt(normal.squaredNorm() * direction.squaredNorm());
       image.reflectance[pixel] = material.reflectance;
       image.surface[pixel] = material.surface;
+      image.plane[pixel] = material.plane;
     }
   }
 
   const Scene* scene_;
+  const ScenePlanes planes_;
   RTCDevice device_;
   std::unique_ptr<Body> still_;
   std::unique_ptr<Body> moving_;
@@ -200,6 +211,11 @@ private:
 RayCaster::RayCaster(const Scene& scene) : device_(std::make_unique<Device>(scene)) {}
 RayCaster::~RayCaster() = default;
 
+const ScenePlanes& RayCaster::planes() const
+{
+  return device_->planes();
+}
+
 void RayCaster::cast(const PinholeCamera& camera, const Eigen::Isometry3d& camera_to_world, double time,
                      RayImage& image)
 {
@@ -207,6 +223,7 @@ void RayCaster::cast(const PinholeCamera& camera, const Eigen::Isometry3d& camer
   image.cosine.resize(camera.size());
   image.reflectance.resize(camera.size());
   image.surface.resize(camera.size());
+  image.plane.resize(camera.size());
   device_->move(time);
   device_->cast(camera, camera_to_world, image);
 }

@@ -34,6 +34,7 @@ Solid makeFrustum(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
   const Eigen::Vector3d side = axis.unitOrthogonal();
   const Eigen::Vector3d other = axis.cross(side);
   Solid frustum;
+  frustum.curved = true;
   for (std::uint32_t i = 0; i < kSides; ++i) {
     const double angle = kTwoPi * i / kSides;
     const Eigen::Vector3d out = std::cos(angle) * side + std::sin(angle) * other;
@@ -54,6 +55,7 @@ Solid makeFrustum(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
 Solid makeEllipsoid(const Eigen::Isometry3d& pose, const Eigen::Vector3d& radii)
 {
   Solid ellipsoid;
+  ellipsoid.curved = true;
   const auto add = [&](const Eigen::Vector3d& unit) {
     ellipsoid.vertices.emplace_back((pose * unit.cwiseProduct(radii)).cast<float>());
   };

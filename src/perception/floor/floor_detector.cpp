@@ -47,6 +47,11 @@ FloorDetector::FloorDetector(FloorDetector&& other) noexcept = default;
 FloorDetector& FloorDetector::operator=(FloorDetector&& other) noexcept = default;
 FloorDetector::~FloorDetector() = default;
 
+const PlaneExtraction& FloorDetector::extraction() const
+{
+  return workspace_->extraction;
+}
+
 std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, const SampleGrid& grid,
                                                    const FloorPrior& prior)
 {

@@ -10,6 +10,36 @@ static_assert(static_cast<int>(perception::FloorStatus::kNotFound) == FloorPlane
                   static_cast<int>(perception::FloorStatus::kFound) == FloorPlane::FOUND &&
                   static_cast<int>(perception::FloorStatus::kHeld) == FloorPlane::HELD,
               "the status goes into the message as it is");
+static_assert(static_cast<int>(perception::PlaneKind::kUnknown) == Plane::UNKNOWN &&
+                  static_cast<int>(perception::PlaneKind::kFloor) == Plane::FLOOR &&
+                  static_cast<int>(perception::PlaneKind::kHorizontal) == Plane::HORIZONTAL &&
+                  static_cast<int>(perception::PlaneKind::kVertical) == Plane::VERTICAL &&
+                  static_cast<int>(perception::PlaneKind::kSloped) == Plane::SLOPED,
+              "the kind goes into the message as it is");
+
+namespace {
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+/// @param to  takes on as many points
+void copyPoints(const Eigen::Vector3f* points, std::size_t count, std::vector<geometry_msgs::Point32>& to)
+{
+  to.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i].x = points[i].x();
+    to[i].y = points[i].y();
+    to[i].z = points[i].z();
+  }
+}
+
+}  // namespace
 
 FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::FloorState& floor,
                            const Eigen::Isometry3d& to_floor_frame, const std::vector<Eigen::Vector3f>& hull)
@@ -20,9 +50,7 @@ FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::Flo
   if (floor.status == perception::FloorStatus::kNotFound) return message;
 
   const geometry::Plane& plane = floor.floor.plane;
-  message->normal.x = plane.normal.x();
-  message->normal.y = plane.normal.y();
-  message->normal.z = plane.normal.z();
+  message->normal = toVector(plane.normal);
   message->distance = plane.distance;
   message->age = floor.age;
   message->sample_count = floor.floor.sample_count;
@@ -32,12 +60,7 @@ FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::Flo
   for (int row = 0; row < 3; ++row) {
     for (int column = row; column < 3; ++column) message->covariance[k++] = covariance(row, column);
   }
-  message->hull.resize(hull.size());
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    message->hull[i].x = hull[i].x();
-    message->hull[i].y = hull[i].y();
-    message->hull[i].z = hull[i].z();
-  }
+  copyPoints(hull.data(), hull.size(), message->hull);
   return message;
 }
 
@@ -50,6 +73,25 @@ pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& heade
   const Eigen::Vector4f plane =
       (Eigen::Vector4d() << floor.floor.plane.normal, floor.floor.plane.distance).finished().cast<float>();
   message->values.assign(plane.data(), plane.data() + plane.size());
+  return message;
+}
+
+PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::SegmentedPlanes& planes)
+{
+  auto message = boost::make_shared<PlaneArray>();
+  message->header = header;
+  message->planes.resize(planes.planes.size());
+  for (std::size_t i = 0; i < planes.planes.size(); ++i) {
+    const perception::SegmentedPlane& plane = planes.planes[i];
+    Plane& to = message->planes[i];
+    to.id = plane.id;
+    to.normal = toVector(plane.plane.normal);
+    to.distance = plane.plane.distance;
+    to.rms_error = plane.rms_error;
+    to.sample_count = plane.sample_count;
+    copyPoints(planes.vertices.data() + plane.first_vertex, plane.vertex_count, to.boundary);
+    to.kind = static_cast<std::uint8_t>(plane.kind);
+  }
   return message;
 }
 

@@ -3,6 +3,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <pcl_msgs/ModelCoefficients.h>
 #include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/PlaneArray.h>
 #include <std_msgs/Header.h>
 
 #include <Eigen/Geometry>
@@ -11,6 +12,7 @@
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/segmentation/segmented_planes.hpp"
 
 /// The results of a frame as messages. Every function makes a new message that nobody touches any more:
 /// readers in the same process share it.
@@ -24,6 +26,9 @@ FloorPlanePtr toFloorPlane(const std_msgs::Header& header, const perception::Flo
 /// a, b, c, d of the plane a x + b y + c z + d = 0; no values where there is no floor.
 pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& header,
                                                    const perception::FloorState& floor);
+
+/// @param header  stamp and frame of the input
+PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::SegmentedPlanes& planes);
 
 /// Occupied cells are 100, free ones 0.
 ///

@@ -48,6 +48,12 @@ pcl_msgs::ModelCoefficientsPtr floorCoefficients(const FrameResult& frame)
   return toModelCoefficients(frame.input, frame.result.floor);
 }
 
+PlaneArrayPtr planes(const FrameResult& frame)
+{
+  if (frame.hasFloor() && !frame.result.products.has(Product::kPlanes)) return nullptr;
+  return toPlaneArray(frame.input, frame.result.planes);
+}
+
 nav_msgs::OccupancyGridPtr occupancyGrid(const FrameResult& frame)
 {
   return toGrid(frame, Product::kOccupancy, frame.result.occupancy);
@@ -101,6 +107,7 @@ void addOutputs(Outputs& outputs)
   // Topic, what it is made of, how it is built.
   outputs.add<FloorPlane>("floor", Product::kFloorHull, floor);
   outputs.add<pcl_msgs::ModelCoefficients>("floor_coefficients", Product::kFloor, floorCoefficients);
+  outputs.add<PlaneArray>("planes", Product::kPlanes, planes);
   outputs.add<nav_msgs::OccupancyGrid>("occupancy_grid", Product::kOccupancy, occupancyGrid);
   outputs.add<nav_msgs::OccupancyGrid>("inflated_grid", Product::kInflation, inflatedGrid);
   outputs.add<PolygonArray>("polygons", Product::kPolygons, polygons);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "polygonal_perception/cameras/simulation/pinhole_camera.hpp"
 #include "polygonal_perception/cameras/simulation/scene.hpp"
+#include "polygonal_perception/cameras/simulation/scene_planes.hpp"
 #include "polygonal_perception/export.hpp"
 
 namespace polygonal_perception::simulation {
@@ -17,6 +19,8 @@ struct RayImage
   std::vector<float> cosine;       ///< of the angle between the ray and the surface's normal
   std::vector<float> reflectance;  ///< of the surface
   std::vector<Surface> surface;
+  std::vector<std::uint16_t>
+      plane;  ///< which of RayCaster::planes() the surface is part of, or ScenePlanes::kNone
 };
 
 /// Casts a ray through the centre of each pixel of a camera in a scene.
@@ -34,6 +38,9 @@ public:
   /// @param image            resized if need be
   void cast(const PinholeCamera& camera, const Eigen::Isometry3d& camera_to_world, double time,
             RayImage& image);
+
+  /// The planes of all that stands still.
+  const ScenePlanes& planes() const;
 
 private:
   class Device;

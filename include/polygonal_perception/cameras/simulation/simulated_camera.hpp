@@ -48,6 +48,8 @@ public:
 
   const Options& options() const { return options_; }
   const Scene& scene() const { return *scene_; }
+  /// The planes whose numbers are in SimulatedFrame::truth, in the world frame.
+  const ScenePlanes& planes() const { return caster_.planes(); }
 
   /// Where the camera is at time index / rate, from its optical frame into the world.
   Eigen::Isometry3d pose(std::uint32_t index) const { return trajectory_->pose(index / options_.rate); }

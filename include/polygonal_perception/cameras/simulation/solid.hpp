@@ -29,6 +29,7 @@ struct Solid
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Surface surface = Surface::kObstacle;
   float reflectance = 0.6F;  ///< of infra-red light, 0..1; dark surfaces are seen only from close by
+  bool curved = false;       ///< its triangles stand for a curved surface
 };
 
 /// A box of the given edge lengths, centred at the origin of `pose`.

@@ -18,6 +18,8 @@
 
 namespace polygonal_perception::perception {
 
+class PlaneExtraction;
+
 /// What became of a sample on the way to the floor (figure 3 of the paper).
 enum class SampleLabel : std::uint8_t
 {
@@ -103,6 +105,9 @@ public:
 
   /// What became of each sample of the last frame, in the grid's order.
   const std::vector<SampleLabel>& labels() const { return labels_; }
+
+  /// All planes of the last frame (section III-B, last lines).
+  const PlaneExtraction& extraction() const;
 
 private:
   struct Workspace;

@@ -1,0 +1,159 @@
+// Holds the planes of rendered frames against those of their scenes, and prints tables in markdown. Run through
+// scripts/evaluate_planes.
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+
+#include "plane_picture.hpp"
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/plane_checker.hpp"
+
+namespace polygonal_perception::evaluation {
+namespace {
+
+struct Options
+{
+  int frames = 12;
+  std::uint64_t seed = 1;
+  int samples = 32;
+  std::string scene;
+  std::string pictures;  // a folder
+  bool faults = false;
+};
+
+struct Row
+{
+  reference::PlaneCounts counts;
+  std::vector<double> planes_ms;
+
+  void add(const Row& other)
+  {
+    counts.add(other.counts);
+    planes_ms.insert(planes_ms.end(), other.planes_ms.begin(), other.planes_ms.end());
+  }
+};
+
+Row run(const Options& options, const std::string& scene, const std::string& trajectory)
+{
+  simulation::SimulatedCamera::Options camera_options;
+  camera_options.scene = scene;
+  camera_options.trajectory = trajectory;
+  camera_options.seed = options.seed;
+  simulation::SimulatedCamera camera(camera_options);
+  const auto& pinhole = camera_options.camera;
+  const perception::PinholeRays rays = perception::PinholeRays::make(
+      pinhole.width, pinhole.height, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+  perception::Pipeline::Parameters parameters;
+  parameters.samples.samples_x = options.samples;
+  parameters.samples.samples_y = options.samples;
+  perception::Pipeline pipeline(parameters);
+  reference::PlaneChecker checker(camera, options.samples, options.samples);
+  simulation::SimulatedFrame frame;
+  Row row;
+  for (int k = 0; k < options.frames; ++k) {
+    camera.render(static_cast<std::uint32_t>(k), frame);
+    const perception::PointView view =
+        perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+    const perception::Pipeline::Result& result =
+        pipeline.process({view, frame.time, {}}, perception::Product::kPlanes);
+    checker.add(frame, result.planes);
+    if (!options.pictures.empty()) {
+      cv::imwrite(options.pictures + "/" + scene + "_" + trajectory + "_" + std::to_string(k) + ".png",
+                  drawPlanes(pinhole, frame, result.planes));
+    }
+    row.planes_ms.push_back(std::chrono::duration<double, std::milli>(result.times.planes).count());
+  }
+  row.counts = checker.counts();
+  return row;
+}
+
+void print(const std::string& name, const Row& row)
+{
+  const reference::PlaneCounts& c = row.counts;
+  const auto q = [](const std::vector<double>& values, double share) {
+    return reference::quantile(values, share);
+  };
+  std::printf(
+      "| %s | %d | %d | %d | %d | %d | %d | %d | %.1f %% of %d | %.3f | %.3f | %.2f | %.2f | %.3f |\n",
+      name.c_str(), c.frames, c.true_ones, c.found, c.uncovered, c.off, c.split, c.invented,
+      100.0 * c.kept / std::max(1, c.pairs), c.pairs, q(c.degrees, 0.5), q(c.degrees, 0.95),
+      q(c.millimetres, 0.5), q(c.millimetres, 0.95), q(row.planes_ms, 0.5));
+  std::fflush(stdout);
+}
+
+void evaluate(const Options& options)
+{
+  std::printf(
+      "| scene | frames | true planes | found | uncovered | off | split | invented | ids kept | deg median | "
+      "95 %% "
+      "| mm median | 95 %% | ms |\n| --- |%s\n",
+      " --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |");
+  Row all;
+  for (const std::string& scene : simulation::sceneNames()) {
+    if (!options.scene.empty() && scene != options.scene) continue;
+    Row row;
+    for (const std::string& trajectory : simulation::trajectoryNames()) {
+      // Ids stay from frame to frame: where the frames are independent of each other there is nothing to keep.
+      if (trajectory.rfind("independent", 0) != 0) row.add(run(options, scene, trajectory));
+    }
+    print(scene, row);
+    if (options.faults) {
+      for (const std::string& fault : row.counts.faults) std::printf("    %s\n", fault.c_str());
+    }
+    all.add(row);
+  }
+  print("all", all);
+}
+
+bool parse(int argc, char** argv, Options& options)
+{
+  for (int k = 1; k < argc; ++k) {
+    const std::string argument = argv[k];
+    if (argument == "--faults") {
+      options.faults = true;
+      continue;
+    }
+    if (k + 1 == argc) return false;
+    const char* const value = argv[++k];
+    if (argument == "--frames") {
+      options.frames = std::atoi(value);
+    } else if (argument == "--seed") {
+      options.seed = std::strtoull(value, nullptr, 10);
+    } else if (argument == "--samples") {
+      options.samples = std::atoi(value);
+    } else if (argument == "--pictures") {
+      options.pictures = value;
+    } else if (argument == "--scene") {
+      options.scene = value;
+    } else {
+      return false;
+    }
+  }
+  return options.frames > 0 && options.samples > 1;
+}
+
+}  // namespace
+}  // namespace polygonal_perception::evaluation
+
+int main(int argc, char** argv)
+{
+  using namespace polygonal_perception::evaluation;
+  Options options;
+  if (!parse(argc, argv, options)) {
+    std::cerr << "usage: evaluate_planes [--frames N] [--seed N] [--samples N] [--scene NAME] [--pictures "
+                 "DIR] [--faults]\n"
+                 "  --frames   of each scene and trajectory (12)\n"
+                 "  --samples  across and down the image (32)\n"
+                 "  --pictures  draws each frame into the folder\n"
+                 "  --faults   prints what was wrong, a line each\n";
+    return 2;
+  }
+  evaluate(options);
+  return 0;
+}

@@ -1,0 +1,228 @@
+#include "reference/plane_checker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+
+#include "reference/error_statistics.hpp"
+
+namespace polygonal_perception::reference {
+
+namespace {
+
+using simulation::ScenePlanes;
+using simulation::SimulatedFrame;
+
+constexpr double kLargeEnough = 0.03;  // of the image, for a true plane to count
+constexpr double kInvented = 0.01;     // of the image, for a found one
+constexpr double kOverlap = 0.8;
+constexpr double kDegrees = 1.0;
+constexpr double kMillimetres = 10.0;
+constexpr double kNearer = 0.05;      // [m] before the plane: it covers it
+constexpr double kPartOfPiece = 0.1;  // of a connected piece, for a plane to be one of those on it
+
+template <class... Values>
+std::string print(const char* format, Values... values)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+}  // namespace
+
+/// A plane that was found, in the image.
+struct PlaneChecker::Found
+{
+  const perception::SegmentedPlane* plane = nullptr;
+  cv::Mat1b mask;
+  int pixels = 0;
+  std::uint16_t number = ScenePlanes::kNone;   // of the true plane that it is of
+  std::uint16_t nearest = ScenePlanes::kNone;  // of that which fills most of it
+  double share = 0.0;                          // how much
+};
+
+void PlaneCounts::add(const PlaneCounts& other)
+{
+  for (auto count : {&PlaneCounts::frames, &PlaneCounts::listed, &PlaneCounts::true_ones, &PlaneCounts::found,
+                     &PlaneCounts::uncovered, &PlaneCounts::off, &PlaneCounts::split, &PlaneCounts::invented,
+                     &PlaneCounts::pairs, &PlaneCounts::kept}) {
+    this->*count += other.*count;
+  }
+  degrees.insert(degrees.end(), other.degrees.begin(), other.degrees.end());
+  millimetres.insert(millimetres.end(), other.millimetres.begin(), other.millimetres.end());
+  faults.insert(faults.end(), other.faults.begin(), other.faults.end());
+}
+
+PlaneChecker::PlaneChecker(const simulation::SimulatedCamera& camera, int samples_x, int samples_y)
+    : camera_(camera),
+      stride_x_(static_cast<int>(camera.options().camera.width) / samples_x),
+      stride_y_(static_cast<int>(camera.options().camera.height) / samples_y)
+{
+}
+
+geometry::Plane PlaneChecker::truePlane(const SimulatedFrame& frame, std::uint16_t number) const
+{
+  const geometry::Plane& world = camera_.planes().plane(number);
+  geometry::Plane plane;
+  plane.normal = frame.camera_to_world.linear().transpose() * world.normal;
+  plane.distance = world.height(frame.camera_to_world.translation());
+  if (plane.distance < 0.0) {
+    plane.normal = -plane.normal;
+    plane.distance = -plane.distance;
+  }
+  return plane;
+}
+
+PlaneChecker::Found PlaneChecker::look(const SimulatedFrame& frame, const perception::SegmentedPlanes& planes,
+                                       const perception::SegmentedPlane& plane) const
+{
+  const simulation::PinholeCamera& camera = camera_.options().camera;
+  const auto columns = static_cast<int>(camera.width);
+  const auto rows = static_cast<int>(camera.height);
+  Found found;
+  found.plane = &plane;
+  found.mask = cv::Mat1b::zeros(rows, columns);
+  std::vector<std::vector<cv::Point>> ring(1);
+  for (std::uint32_t k = 0; k < plane.vertex_count; ++k) {
+    const Eigen::Vector3f& p = planes.vertices[plane.first_vertex + k];
+    ring[0].emplace_back(static_cast<int>(std::lround(camera.cx + camera.fx * p.x() / p.z())),
+                         static_cast<int>(std::lround(camera.cy + camera.fy * p.y() / p.z())));
+  }
+  if (ring[0].size() < 3) return found;
+  cv::fillPoly(found.mask, ring, 1);
+
+  std::map<std::uint16_t, int> pixels;
+  int uncovered = 0;
+  for (int v = 0; v < rows; ++v) {
+    for (int u = 0; u < columns; ++u) {
+      if (found.mask(v, u) == 0) continue;
+      ++found.pixels;
+      const std::size_t k = static_cast<std::size_t>(v) * camera.width + static_cast<std::size_t>(u);
+      if (!(frame.truth.depth[k] > 0.0F)) continue;
+      const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
+      if (frame.truth.depth[k] < -plane.plane.distance / plane.plane.normal.dot(ray) - kNearer) continue;
+      ++uncovered;
+      ++pixels[frame.truth.plane[k]];
+    }
+  }
+  for (const auto& [number, count] : pixels) {
+    const double share = static_cast<double>(count) / uncovered;
+    if (number == ScenePlanes::kNone || share <= found.share) continue;
+    found.nearest = number;
+    found.share = share;
+  }
+  if (found.share >= kOverlap) found.number = found.nearest;
+  return found;
+}
+
+void PlaneChecker::add(const SimulatedFrame& frame, const perception::SegmentedPlanes& planes)
+{
+  const simulation::PinholeCamera& camera = camera_.options().camera;
+  const auto size = static_cast<double>(camera.size());
+  ++counts_.frames;
+  std::map<std::uint16_t, std::vector<Found>> found_on;
+  for (const perception::SegmentedPlane& plane : planes.planes) {
+    ++counts_.listed;
+    Found found = look(frame, planes, plane);
+    if (found.number != ScenePlanes::kNone) {
+      found_on[found.number].push_back(found);
+    } else if (found.pixels >= kInvented * size) {
+      ++counts_.invented;
+      fault(frame, print("invented: %d pixels, %.0f %% of them on plane %d, which is %.1f deg from it; %u "
+                         "samples %.1f m away, its normal known to %.1f deg",
+                         found.pixels, 100.0 * found.share, int{found.nearest},
+                         found.nearest == ScenePlanes::kNone
+                             ? 180.0
+                             : normalError(plane.plane, truePlane(frame, found.nearest)),
+                         plane.sample_count, double{planes.vertices[plane.first_vertex].z()},
+                         57.3 * std::sqrt(plane.covariance.topLeftCorner<3, 3>().trace())));
+    }
+  }
+
+  cv::Mat1w numbers(static_cast<int>(camera.height), static_cast<int>(camera.width));
+  for (std::size_t k = 0; k < camera.size(); ++k)
+    numbers(static_cast<int>(k)) = frame.depth[k] > 0.0F ? frame.truth.plane[k] : ScenePlanes::kNone;
+  std::vector<int> pixels(camera_.planes().count() + 1, 0);
+  for (const std::uint16_t number : numbers) ++pixels[number];
+  std::map<std::uint16_t, std::uint32_t> ids;
+  const cv::Mat stride = cv::Mat1b::ones(2 * stride_y_ + 1, 2 * stride_x_ + 1);
+  const cv::Mat neck = cv::Mat1b::ones(3 * stride_y_ / 2, 3 * stride_x_ / 2);
+  for (std::uint16_t number = 1; number < pixels.size(); ++number) {
+    if (pixels[number] < kLargeEnough * size) continue;
+    ++counts_.true_ones;
+    const cv::Mat1b own = numbers == number;
+    const std::vector<Found>& found = found_on[number];
+    cv::Mat1b covered = cv::Mat1b::zeros(own.size());
+    for (const Found& one : found) covered |= one.mask;
+    cv::dilate(covered, covered, stride);
+    const int share = 100 * cv::countNonZero(covered & own) / std::max(1, pixels[number]);
+    if (found.empty() || share < 100 * kOverlap) {
+      ++counts_.uncovered;
+      fault(frame, print("uncovered: plane %d, %d pixels, %d %% of them under %zu planes", int{number},
+                         pixels[number], share, found.size()));
+      continue;
+    }
+    const Found& largest = *std::max_element(
+        found.begin(), found.end(), [](const Found& a, const Found& b) { return a.pixels < b.pixels; });
+    const geometry::Plane truth = truePlane(frame, number);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < camera.size(); ++k) {
+      if (numbers(static_cast<int>(k)) != number) continue;
+      const auto u = static_cast<double>(k % camera.width);
+      const auto v = static_cast<double>(k / camera.width);
+      middle += frame.truth.depth[k] *
+                Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
+    }
+    middle /= pixels[number];
+    const double degrees = normalError(largest.plane->plane, truth);
+    const double millimetres = 1000.0 * std::abs(largest.plane->plane.height(middle));
+    counts_.degrees.push_back(degrees);
+    counts_.millimetres.push_back(millimetres);
+    const simulation::DepthNoise::Parameters& noise = camera_.options().noise;
+    const double sigma = noise.sigma_base + noise.sigma_quadratic * std::pow(middle.z() - 0.4, 2);
+    if (degrees > kDegrees || millimetres > kMillimetres + 1000.0 * 3.0 * sigma / std::sqrt(30.0)) {
+      ++counts_.off;
+      fault(frame, print("off: plane %d, %d pixels, %.1f m away, by %.2f deg and %.1f mm; its normal known "
+                         "to %.1f deg",
+                         int{number}, pixels[number], middle.z(), degrees, millimetres,
+                         57.3 * std::sqrt(largest.plane->covariance.topLeftCorner<3, 3>().trace())));
+    } else {
+      ++counts_.found;
+    }
+    ids[number] = largest.plane->id;
+    if (const auto last = last_ids_.find(number); last != last_ids_.end()) {
+      ++counts_.pairs;
+      counts_.kept += last->second == largest.plane->id ? 1 : 0;
+    }
+
+    // What hangs together by less than a neck of one and a half samples is two pieces.
+    cv::Mat1b piece_mask;
+    cv::morphologyEx(own, piece_mask, cv::MORPH_CLOSE, cv::Mat1b::ones(9, 9));
+    cv::erode(piece_mask, piece_mask, neck);
+    cv::Mat1i piece_of;
+    const int pieces = cv::connectedComponents(piece_mask, piece_of);
+    for (int piece = 1; piece < pieces; ++piece) {
+      const cv::Mat1b here = piece_of == piece;
+      const int piece_size = cv::countNonZero(here);
+      if (piece_size < kInvented * size) continue;
+      const auto planes_here = std::count_if(found.begin(), found.end(), [&](const Found& one) {
+        return cv::countNonZero(one.mask & here) > kPartOfPiece * piece_size;
+      });
+      if (planes_here <= 1) continue;
+      counts_.split += static_cast<int>(planes_here) - 1;
+      fault(frame, print("split: plane %d, a piece of %d pixels, into %d", int{number}, piece_size,
+                         static_cast<int>(planes_here)));
+    }
+  }
+  last_ids_ = ids;
+}
+
+void PlaneChecker::fault(const SimulatedFrame& frame, const std::string& text)
+{
+  counts_.faults.push_back(camera_.options().scene + ", " + camera_.options().trajectory + ", frame " +
+                           std::to_string(frame.index) + ": " + text);
+}
+
+}  // namespace polygonal_perception::reference

@@ -1,0 +1,108 @@
+#include "polygonal_perception/perception/segmentation/plane_segmentation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perception/segmentation/piece_boundary.hpp"
+#include "perception/segmentation/pixel_fit.hpp"
+#include "perception/segmentation/plane_identities.hpp"
+#include "perception/segmentation/plane_pieces.hpp"
+
+namespace polygonal_perception::perception {
+
+struct PlaneSegmentation::Workspace
+{
+  PlanePieces pieces;
+  PlaneLookup lookup;
+  PixelFit fit;
+  PieceBoundary boundary;
+  PlaneIdentities identities;
+  std::vector<std::uint32_t> floor_samples;  // of each extracted plane
+
+  std::optional<std::size_t> findFloor(const FloorDetector& detector);
+};
+
+PlaneSegmentation::PlaneSegmentation(const Parameters& parameters)
+    : parameters_(parameters), workspace_(std::make_unique<Workspace>())
+{
+}
+PlaneSegmentation::PlaneSegmentation(PlaneSegmentation&& other) noexcept = default;
+PlaneSegmentation& PlaneSegmentation::operator=(PlaneSegmentation&& other) noexcept = default;
+PlaneSegmentation::~PlaneSegmentation() = default;
+
+/// The extracted plane most of whose samples are the floor's.
+std::optional<std::size_t> PlaneSegmentation::Workspace::findFloor(const FloorDetector& detector)
+{
+  const PlaneExtraction& extraction = detector.extraction();
+  floor_samples.assign(extraction.planes().size(), 0);
+  for (std::size_t k = 0; k < detector.labels().size(); ++k) {
+    const int plane = extraction.planeOf()[k];
+    if (plane != PlaneSegments::kNone && detector.labels()[k] == SampleLabel::kFloor)
+      ++floor_samples[static_cast<std::size_t>(plane)];
+  }
+  const auto most = std::max_element(floor_samples.begin(), floor_samples.end());
+  if (most == floor_samples.end()) return std::nullopt;
+  const auto index = static_cast<std::size_t>(most - floor_samples.begin());
+  return 2 * *most > extraction.planes()[index].size ? std::optional(index) : std::nullopt;
+}
+
+void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
+                                const FloorDetector& detector, const FloorState& floor,
+                                const std::optional<Eigen::Vector3d>& up, SegmentedPlanes& planes)
+{
+  Workspace& w = *workspace_;
+  const PlaneExtraction& extraction = detector.extraction();
+  const PlaneExtractionParameters& extracted_by = detector.parameters().planes;
+  const NoisySamples& samples = extraction.samples();
+  planes.clear();
+  w.pieces.find(extraction, extracted_by,
+                static_cast<std::uint32_t>(std::ceil(parameters_.least_share * samples.size())),
+                parameters_.normal_margin);
+  w.lookup.take(extraction, w.pieces.planeOf(), extracted_by);
+  const auto floor_plane = floor.status == FloorStatus::kFound ? w.findFloor(detector) : std::nullopt;
+  if (floor_plane) w.lookup.set(*floor_plane, floor.floor.plane);
+  w.fit.fit(points, extraction, w.pieces.planeOf(), floor_plane, w.lookup);
+  w.pieces.removeIf([&](const PlanePieces::Piece& piece) {
+    const PixelFit::Fit& fit = w.fit[piece.plane];
+    return piece.plane != floor_plane && (fit.support < parameters_.least_support ||
+                                          fit.plane.normal_sigma > parameters_.largest_normal_sigma);
+  });
+
+  const auto kindOf = [&](const PlaneFit::Result& fit) {
+    if (!up) return PlaneKind::kUnknown;
+    const double angle = parameters_.kind_angle + parameters_.kind_sigmas * fit.normal_sigma;
+    const double cosine = std::abs(fit.plane.normal.dot(*up));
+    if (cosine > std::cos(angle)) return PlaneKind::kHorizontal;
+    return cosine < std::sin(angle) ? PlaneKind::kVertical : PlaneKind::kSloped;
+  };
+  for (const PlanePieces::Piece& piece : w.pieces.pieces()) {
+    SegmentedPlane& plane = planes.planes.emplace_back();
+    plane.sample_count = piece.sample_count;
+    if (piece.plane == floor_plane) {
+      plane.kind = PlaneKind::kFloor;
+      plane.plane = floor.floor.plane;
+      plane.rms_error = floor.floor.rms_error;
+      plane.covariance = floor.floor.covariance;
+    } else {
+      const PixelFit::Fit& fit = w.fit[piece.plane];
+      plane.kind = kindOf(fit.plane);
+      plane.plane = fit.plane.plane;
+      plane.rms_error = fit.plane.rms_error;
+      plane.covariance = fit.covariance;
+    }
+    plane.first_vertex = static_cast<std::uint32_t>(planes.vertices.size());
+    w.boundary.trace(points, grid, w.lookup, w.pieces.cells().data(), piece, plane.plane, planes.vertices);
+    plane.vertex_count = static_cast<std::uint32_t>(planes.vertices.size()) - plane.first_vertex;
+  }
+  w.identities.assign(samples, w.pieces, parameters_.id_angle, planes.planes);
+  std::stable_sort(
+      planes.planes.begin(), planes.planes.end(),
+      [](const SegmentedPlane& a, const SegmentedPlane& b) { return a.sample_count > b.sample_count; });
+}
+
+void PlaneSegmentation::reset()
+{
+  workspace_->identities.reset();
+}
+
+}  // namespace polygonal_perception::perception
