@@ -25,6 +25,7 @@ struct Options
   std::string scene;
   std::string pictures;  // a folder
   bool faults = false;
+  bool ablate = false;
 };
 
 struct Row
@@ -39,7 +40,10 @@ struct Row
   }
 };
 
-Row run(const Options& options, const std::string& scene, const std::string& trajectory)
+using Thresholds = perception::PlaneSegmentation::Parameters;
+
+Row run(const Options& options, const Thresholds& thresholds, const std::string& scene,
+        const std::string& trajectory)
 {
   simulation::SimulatedCamera::Options camera_options;
   camera_options.scene = scene;
@@ -52,6 +56,7 @@ Row run(const Options& options, const std::string& scene, const std::string& tra
   perception::Pipeline::Parameters parameters;
   parameters.samples.samples_x = options.samples;
   parameters.samples.samples_y = options.samples;
+  parameters.segmentation = thresholds;
   perception::Pipeline pipeline(parameters);
   reference::PlaneChecker checker(camera, options.samples, options.samples);
   simulation::SimulatedFrame frame;
@@ -87,6 +92,21 @@ void print(const std::string& name, const Row& row)
   std::fflush(stdout);
 }
 
+/// Of all trajectories whose frames follow one another: in others there are no ids to keep.
+Row runAll(const Options& options, const Thresholds& thresholds, const std::string& scene)
+{
+  Row row;
+  for (const std::string& trajectory : simulation::trajectoryNames()) {
+    if (trajectory.rfind("independent", 0) != 0) row.add(run(options, thresholds, scene, trajectory));
+  }
+  return row;
+}
+
+std::vector<std::string> scenes(const Options& options)
+{
+  return options.scene.empty() ? simulation::sceneNames() : std::vector<std::string>{options.scene};
+}
+
 void evaluate(const Options& options)
 {
   std::printf(
@@ -95,13 +115,8 @@ void evaluate(const Options& options)
       "| mm median | 95 %% | ms |\n| --- |%s\n",
       " --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |");
   Row all;
-  for (const std::string& scene : simulation::sceneNames()) {
-    if (!options.scene.empty() && scene != options.scene) continue;
-    Row row;
-    for (const std::string& trajectory : simulation::trajectoryNames()) {
-      // Ids stay from frame to frame: where the frames are independent of each other there is nothing to keep.
-      if (trajectory.rfind("independent", 0) != 0) row.add(run(options, scene, trajectory));
-    }
+  for (const std::string& scene : scenes(options)) {
+    const Row row = runAll(options, Thresholds{}, scene);
     print(scene, row);
     if (options.faults) {
       for (const std::string& fault : row.counts.faults) std::printf("    %s\n", fault.c_str());
@@ -111,12 +126,45 @@ void evaluate(const Options& options)
   print("all", all);
 }
 
+std::string outcome(const Options& options, const Thresholds& thresholds)
+{
+  Row all;
+  for (const std::string& scene : scenes(options)) all.add(runAll(options, thresholds, scene));
+  const reference::PlaneCounts& c = all.counts;
+  char text[120];
+  std::snprintf(text, sizeof text, "%d / %d / %d / %d / %d, %.1f %%", c.found, c.uncovered, c.off, c.split,
+                c.invented, 100.0 * c.kept / std::max(1, c.pairs));
+  return text;
+}
+
+/// What each threshold is worth: everything again with it off, at 0.7 and at 1.4 times its value.
+void ablate(const Options& options)
+{
+  Thresholds thresholds;
+  const std::string as_it_is = outcome(options, thresholds);
+  std::printf(
+      "As it is: %s.\n\n| threshold | value | off (0) | x 0.7 | x 1.4 |\n| --- | --: | --- | --- | --- |\n",
+      as_it_is.c_str());
+  Thresholds::describeThresholds(thresholds, [&](const char* name, double& value) {
+    const double usual = value;
+    std::printf("| %s | %g |", name, usual);
+    for (const double factor : {0.0, 0.7, 1.4}) {
+      value = factor * usual;
+      const std::string with = outcome(options, thresholds);
+      std::printf(" %s |", with == as_it_is ? "=" : with.c_str());
+    }
+    value = usual;
+    std::printf("\n");
+    std::fflush(stdout);
+  });
+}
+
 bool parse(int argc, char** argv, Options& options)
 {
   for (int k = 1; k < argc; ++k) {
     const std::string argument = argv[k];
-    if (argument == "--faults") {
-      options.faults = true;
+    if (argument == "--faults" || argument == "--ablate") {
+      (argument == "--faults" ? options.faults : options.ablate) = true;
       continue;
     }
     if (k + 1 == argc) return false;
@@ -147,13 +195,14 @@ int main(int argc, char** argv)
   Options options;
   if (!parse(argc, argv, options)) {
     std::cerr << "usage: evaluate_planes [--frames N] [--seed N] [--samples N] [--scene NAME] [--pictures "
-                 "DIR] [--faults]\n"
-                 "  --frames   of each scene and trajectory (12)\n"
-                 "  --samples  across and down the image (32)\n"
+                 "DIR] [--faults] [--ablate]\n"
+                 "  --frames    of each scene and trajectory (12)\n"
+                 "  --samples   across and down the image (32)\n"
                  "  --pictures  draws each frame into the folder\n"
-                 "  --faults   prints what was wrong, a line each\n";
+                 "  --faults    prints what was wrong, a line each\n"
+                 "  --ablate    prints what each threshold is worth instead\n";
     return 2;
   }
-  evaluate(options);
+  options.ablate ? ablate(options) : evaluate(options);
   return 0;
 }

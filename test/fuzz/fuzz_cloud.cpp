@@ -32,6 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(view || !view.error().empty(), "what is refused has a reason");
   if (!view) return 0;
   perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
-  requireSound(pipeline.process({*view, 1.0, {}}));
+  requireSound(pipeline.process({*view, 1.0, {}}, kAllProducts));
   return 0;
 }

@@ -58,6 +58,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(view ? has_info : true, "without a camera_info there are no points");
   if (!view) return 0;
   perception::Pipeline pipeline{perception::Pipeline::Parameters{}};
-  requireSound(pipeline.process({*view, 1.0, {}}));
+  requireSound(pipeline.process({*view, 1.0, {}}, kAllProducts));
   return 0;
 }

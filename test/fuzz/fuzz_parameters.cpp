@@ -83,10 +83,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr int kMostSamples = 3000;
   if (perception::GridGeometry(parameters.grid).size() > kMostCells) return 0;
   if (parameters.samples.samples_x * parameters.samples.samples_y > kMostSamples) return 0;
-  pipeline.process({frame.view(), 0.0, {}});
+  pipeline.process({frame.view(), 0.0, {}}, kAllProducts);
   pipeline.configure(parameters);
-  requireSound(pipeline.process({frame.view(), 0.03, {}}), parameters.detector);
+  requireSound(pipeline.process({frame.view(), 0.03, {}}, kAllProducts), parameters.detector);
   pipeline.reset();
-  requireSound(pipeline.process({frame.view(), 0.06, {}}), parameters.detector);
+  requireSound(pipeline.process({frame.view(), 0.06, {}}, kAllProducts), parameters.detector);
   return 0;
 }

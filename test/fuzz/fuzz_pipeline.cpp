@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int k = 0; k < 3 && !bytes.empty(); ++k) {
     const double stamp = bytes.number<double>();
     const AnyFrame frame(bytes);
-    requireSound(pipeline.process({frame.view, stamp, {}}), parameters.detector);
+    requireSound(pipeline.process({frame.view, stamp, {}}, kAllProducts), parameters.detector);
   }
   return 0;
 }

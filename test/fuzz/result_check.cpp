@@ -29,6 +29,17 @@ void requireSound(const perception::Pipeline::Result& result,
   } else {
     require(result.occupancy.count() == 0 && result.polygons.rings.empty(), "without a floor no obstacles");
   }
+  for (const perception::SegmentedPlane& plane : result.planes.planes) {
+    require(std::abs(plane.plane.normal.norm() - 1.0) < 1e-6, "a plane's normal has unit length");
+    require(std::isfinite(plane.plane.distance) && plane.plane.distance >= 0.0, "a plane faces the sensor");
+    require(plane.covariance.allFinite(), "a plane's covariance is finite");
+    require(plane.id != 0 && plane.sample_count > 0, "a plane has an id and samples");
+    require(plane.first_vertex + plane.vertex_count <= result.planes.vertices.size(),
+            "a plane has its boundary");
+  }
+  for (const Eigen::Vector3f& vertex : result.planes.vertices) {
+    require(vertex.allFinite(), "a vertex of a plane is finite");
+  }
   const auto& occupied = result.occupancy.cells();
   const auto& inflated = result.inflated.cells();
   require(occupied.size() == inflated.size(), "both grids have the same size");

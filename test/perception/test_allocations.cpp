@@ -119,6 +119,22 @@ TEST_P(Allocations, OfThePipelineAreNoneOnceItIsWarm)
   EXPECT_EQ(warm, 0U);
 }
 
+TEST_P(Allocations, OfThePlanesAreNoneOnceTheyAreWarm)
+{
+  Pipeline pipeline{Pipeline::Parameters{}};
+  Frame frame;
+  const auto work = [&](const PointView& points) {
+    frame.points = points;
+    frame.stamp += 0.03;
+    ASSERT_FALSE(pipeline.process(frame, Product::kPlanes).planes.vertices.empty());
+  };
+  const std::size_t warming = count(work).first;
+  // The jump back from the last frame to the first has other planes in common than those that follow one another.
+  const std::size_t warm = count(work).second;
+  EXPECT_GT(warming, 0U);
+  EXPECT_EQ(warm, 0U);
+}
+
 TEST_P(Allocations, OfThePipelineAreNoneWhereThereIsNoFloor)
 {
   Pipeline::Parameters parameters;

@@ -12,11 +12,12 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from polygonal_perception.msg import FloorPlane, PolygonArray
+from polygonal_perception.msg import FloorPlane, PlaneArray, PolygonArray
 
 OUTPUTS = {
     'floor': FloorPlane,
     'floor_coefficients': ModelCoefficients,
+    'planes': PlaneArray,
     'occupancy_grid': OccupancyGrid,
     'inflated_grid': OccupancyGrid,
     'polygons': PolygonArray,

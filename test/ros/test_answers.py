@@ -9,6 +9,7 @@ import rostest
 
 import scene
 from node_client import FOUND, OUTPUTS, Clock, NodeClient
+from polygonal_perception.msg import Plane
 
 RADIUS, TOLERANCE = 0.30, 0.05
 MIN_HEIGHT, MAX_HEIGHT = 0.03, 0.60
@@ -164,7 +165,7 @@ class AnswersTest(unittest.TestCase):
         _, answer = self.ask(scene.Camera(), self.boxes)
         frames = {name: message.header.frame_id for name, message in answer.items() if name != 'markers'}
         frames.update({m.ns: m.header.frame_id for m in answer['markers'].markers})
-        of_input = {'floor', 'floor_coefficients', 'samples', 'floor/normal', 'floor/hull'}
+        of_input = {'floor', 'floor_coefficients', 'planes', 'samples', 'floor/normal', 'floor/hull'}
         self.assertEqual(frames, {n: scene.OPTICAL_FRAME if n in of_input else 'floor' for n in frames})
 
     def test_tf(self):
@@ -181,6 +182,43 @@ class AnswersTest(unittest.TestCase):
                              [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
                              [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
         np.testing.assert_allclose(rotation.T, camera.rotation, atol=4e-3)
+
+    def test_planes(self):
+        # A box as wide as the view, 0.5 m high: its top is level, its front upright.
+        camera = scene.Camera(height=1.2, pitch=0.5)
+        box = scene.Box((1.82, 2.62), (-3, 3), (0, 0.5))
+        _, answer = self.ask(camera, [box])
+        planes, floor = answer['planes'].planes, answer['floor']
+        kinds = {Plane.FLOOR: (camera.rotation.T @ [0, 0, 1], camera.height),
+                 Plane.HORIZONTAL: (camera.rotation.T @ [0, 0, 1], camera.height - 0.5),
+                 Plane.VERTICAL: (camera.rotation.T @ [-1, 0, 0], 1.82)}
+        self.assertEqual({p.kind for p in planes}, set(kinds), 'kinds of the planes')
+        self.assertEqual(len({p.id for p in planes}), len(planes), 'ids')
+        counts = [p.sample_count for p in planes]
+        self.assertEqual(counts, sorted(counts, reverse=True), 'largest first')
+        for plane in planes:
+            normal = np.array([plane.normal.x, plane.normal.y, plane.normal.z])
+            expected, distance = kinds[plane.kind]
+            np.testing.assert_allclose(normal, expected, atol=5e-3, err_msg='kind %d' % plane.kind)
+            self.assertAlmostEqual(plane.distance, distance, delta=0.01, msg='kind %d' % plane.kind)
+            self.assertLess(plane.rms_error, 0.01)
+            boundary = np.array([[p.x, p.y, p.z] for p in plane.boundary])
+            self.assertGreaterEqual(len(boundary), 3)
+            np.testing.assert_allclose(boundary @ normal + plane.distance, 0.0, atol=1e-4)
+            area = sum(np.cross(a, b) for a, b in zip(boundary, np.roll(boundary, -1, 0))) / 2.0
+            self.assertGreater(area @ normal, 0.05, 'counter-clockwise as the sensor sees it')
+        # Behind the box the floor goes on: pieces of one plane, which is that of ~floor.
+        for plane in planes:
+            if plane.kind == Plane.FLOOR:
+                self.assertEqual((plane.normal, plane.distance), (floor.normal, floor.distance))
+        # The front is seen from edge to edge of the image, and as high as the box.
+        front = next(p for p in planes if p.kind == Plane.VERTICAL)
+        corners = camera.to_floor(np.array([[p.x, p.y, p.z] for p in front.boundary]))
+        self.assertAlmostEqual(corners[:, 2].max(), 0.5, delta=0.03)
+        self.assertAlmostEqual(corners[:, 2].min(), 0.0, delta=0.03)
+        # And in the next frame each has its id.
+        _, later = self.ask(camera, [box])
+        self.assertEqual({p.id: p.kind for p in later['planes'].planes}, {p.id: p.kind for p in planes})
 
     def test_markers(self):
         _, answer = self.ask(scene.Camera(), self.boxes)

@@ -10,6 +10,7 @@ import rostest
 
 import scene
 from node_client import FOUND, HELD, NOT_FOUND, OUTPUTS, Clock, NodeClient
+from polygonal_perception.msg import Plane
 
 FLOOR_TIMEOUT = 0.5  # [s] the default
 
@@ -52,6 +53,8 @@ class FloorStatesTest(unittest.TestCase):
             self.assertEqual((grid.info.width, grid.info.height, len(grid.data)), (100, 100, 10000))
             self.assertAlmostEqual(grid.info.origin.position.y, -2.5)
         self.assertEqual(answer['obstacle_points'].width, 0)
+        # What fills the image is a plane all the same; how it lies nobody knows.
+        self.assertEqual([p.kind for p in answer['planes'].planes], [Plane.UNKNOWN])
         self.assertEqual({m.action for m in answer['markers'].markers}, {2}, 'all markers deleted')
 
     def test_no_floor_is_an_answer_on_every_topic(self):

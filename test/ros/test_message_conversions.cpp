@@ -36,6 +36,36 @@ Eigen::Isometry2d quarterTurn()
   return pose;
 }
 
+TEST(MessageConversions, PlanesAreSaidWhole)
+{
+  perception::SegmentedPlanes planes;
+  planes.vertices = {{9.0F, 9.0F, 9.0F}, {0.0F, 0.0F, 2.0F}, {1.0F, 0.0F, 2.0F}, {1.0F, 1.0F, 2.0F}};
+  planes.planes.resize(2);
+  planes.planes[0].id = 7;
+  planes.planes[0].kind = perception::PlaneKind::kVertical;
+  planes.planes[0].plane = {Eigen::Vector3d(0.0, 0.0, -1.0), 2.0};
+  planes.planes[0].rms_error = 0.003;
+  planes.planes[0].sample_count = 50;
+  planes.planes[0].first_vertex = 1;
+  planes.planes[0].vertex_count = 3;
+  const PlaneArrayPtr message = toPlaneArray(header(), planes);
+  EXPECT_EQ(message->header.stamp, header().stamp);
+  EXPECT_EQ(message->header.frame_id, "frame");
+  ASSERT_EQ(message->planes.size(), 2U);
+  const Plane& plane = message->planes[0];
+  EXPECT_EQ(plane.id, 7U);
+  EXPECT_EQ(plane.kind, Plane::VERTICAL);
+  EXPECT_EQ(plane.normal.z, -1.0);
+  EXPECT_EQ(plane.distance, 2.0);
+  EXPECT_EQ(plane.rms_error, 0.003);
+  EXPECT_EQ(plane.sample_count, 50U);
+  ASSERT_EQ(plane.boundary.size(), 3U);
+  EXPECT_EQ(plane.boundary[0].x, 0.0F);
+  EXPECT_EQ(plane.boundary[2].y, 1.0F);
+  EXPECT_EQ(plane.boundary[2].z, 2.0F);
+  EXPECT_TRUE(message->planes[1].boundary.empty());
+}
+
 TEST(MessageConversions, AFloorIsSaidWhole)
 {
   perception::FloorState state = floor(perception::FloorStatus::kHeld);

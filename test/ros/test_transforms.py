@@ -15,7 +15,7 @@ from visualization_msgs.msg import Marker
 import scene
 from node_client import FOUND, NOT_FOUND, OUTPUTS, Clock, NodeClient
 
-IN_INPUT_FRAME = ['floor', 'floor_coefficients', 'samples']
+IN_INPUT_FRAME = ['floor', 'floor_coefficients', 'planes', 'samples']
 
 
 class TransformsTest(unittest.TestCase):
@@ -127,7 +127,7 @@ class TransformsTest(unittest.TestCase):
         answer = self.client.answer(stamp, ['floor', 'floor_coefficients', 'markers'])
         self.assertEqual(answer['floor'].status, NOT_FOUND)
         # Everything for this stamp is published at once: what is not there now will not come.
-        self.assertLessEqual(set(self.client.answered(stamp)), {'floor', 'floor_coefficients', 'markers'})
+        self.assertLessEqual(set(self.client.answered(stamp)), {'floor', 'floor_coefficients', 'planes', 'markers'})
         status = self.wait_for_rejection('no transform from', "'unknown_camera'", "'odom'", '%d.' % stamp.secs)
         self.assertGreater(int(next(v.value for v in status.values if v.key == 'Frames rejected')), 0)
 
@@ -157,7 +157,7 @@ class TransformsTest(unittest.TestCase):
         self.client.send(self.cloud(stamps[2]))
         answer = self.client.answer(stamps[2], ['floor', 'floor_coefficients', 'markers'])
         self.assertEqual(answer['floor'].status, NOT_FOUND)
-        self.assertLessEqual(set(self.client.answered(stamps[2])), {'floor', 'floor_coefficients', 'markers'})
+        self.assertLessEqual(set(self.client.answered(stamps[2])), {'floor', 'floor_coefficients', 'planes', 'markers'})
         self.wait_for_rejection('no transform from', '%d.' % stamps[2].secs)
 
     def test_a_floor_without_a_place_is_published_alone(self):

@@ -11,7 +11,7 @@ from geometry_msgs.msg import Point32, Polygon, TransformStamped, Vector3
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
-from polygonal_perception.msg import FloorPlane, ObstaclePolygon, PolygonArray
+from polygonal_perception.msg import FloorPlane, ObstaclePolygon, Plane, PlaneArray, PolygonArray
 from virtual_rviz import VirtualRviz, what_is_missing
 
 START = 60.0     # [s] until rviz has subscribed; under a software renderer and a busy machine
@@ -40,6 +40,10 @@ def is_blue(pixels):
     return (pixels[..., 2] > 50) & (pixels[..., 1] < 20) & (pixels[..., 0] < 20)
 
 
+def is_green(pixels):
+    return (pixels[..., 1] > 120) & (pixels[..., 0] < 80) & (pixels[..., 2] < 90)
+
+
 def is_grey(pixels):
     return (pixels[..., 0] > 40) & (pixels.max(-1) - pixels.min(-1) < 10)
 
@@ -60,8 +64,9 @@ class DisplaysTest(unittest.TestCase):
             cls.transforms.publish(TFMessage(transforms=[cls.camera_pose()]))
             cls.polygons = rospy.Publisher('/test/polygons', PolygonArray, queue_size=1)
             cls.floor = rospy.Publisher('/test/floor', FloorPlane, queue_size=1)
-            cls.rviz.wait_for(lambda: all(p.get_num_connections() > 0 for p in (cls.polygons, cls.floor)),
-                              'rviz to subscribe to polygons and floor: are the displays loaded?', START)
+            cls.planes = rospy.Publisher('/test/planes', PlaneArray, queue_size=1)
+            cls.rviz.wait_for(lambda: all(p.get_num_connections() > 0 for p in (cls.polygons, cls.floor, cls.planes)),
+                              'rviz to subscribe to polygons, floor and planes: are the displays loaded?', START)
         except Exception:
             cls.rviz.close()
             raise
@@ -107,7 +112,11 @@ class DisplaysTest(unittest.TestCase):
                            hull=hull)
         return self.show(self.floor, plane, condition, what)
 
+    def show_planes(self, planes, condition, what):
+        return self.show(self.planes, PlaneArray(header=Header(frame_id='map'), planes=planes), condition, what)
+
     def remove_all(self):
+        self.show_planes([], lambda p: not is_green(p).any(), 'the planes to go')
         self.show_polygons([], lambda p: not is_red(p).any(), 'the polygons to go')
         self.show_floor(lambda p: not is_blue(p).any(), 'the floor to go', status=FloorPlane.NOT_FOUND)
 
@@ -187,6 +196,21 @@ class DisplaysTest(unittest.TestCase):
         self.assertAlmostEqual((blue_right - origin[0]) / PIXELS, 3.0, delta=0.04)
         self.assertAlmostEqual((origin[1] - blue_top) / PIXELS, 1.0, delta=0.04)
         self.assertAlmostEqual((origin[1] - blue_bottom) / PIXELS, -1.0, delta=0.04)
+
+    def test_a_plane_is_filled_in_the_colour_of_its_kind_and_a_malformed_one_left_out(self):
+        up = Vector3(0, 0, 1)
+        corners = [Point32(x, y, 0) for x, y in L_SHAPE]
+        planes = [Plane(id=1, normal=up, boundary=corners, kind=Plane.FLOOR),
+                  Plane(id=2, normal=Vector3(0, 0, 2), boundary=[Point32(2.1, 1, 0), Point32(2.5, 1, 0), Point32(2.5, 2, 0)],
+                        kind=Plane.FLOOR)]
+        green = is_green(self.show_planes(planes, lambda p: is_green(p).any(), 'green pixels'))
+        left, right, top, bottom = box_of(green)
+        self.assertAlmostEqual(right - left, 4 * PIXELS, delta=5)
+        origin = (left + right) / 2.0, (top + bottom) / 2.0
+        for point in INSIDE:
+            self.assertTrue(self.at(green, origin, point), 'no green at %s, which is inside' % (point,))
+        for point in OUTSIDE:
+            self.assertFalse(self.at(green, origin, point), 'green at %s, which is outside' % (point,))
 
     def test_a_message_waits_for_its_transform(self):
         array = PolygonArray(header=Header(frame_id='late', stamp=rospy.Time.now()), floor_status=FloorPlane.FOUND,

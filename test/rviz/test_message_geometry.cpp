@@ -71,5 +71,52 @@ TEST(MessageGeometry, APatchWithoutAHullLiesUnderTheOrigin)
   EXPECT_TRUE(((patch[0] + patch[2]) / 2.0).isApprox(footOf(floor), 1e-9));
 }
 
+/// An L of 3 m^2 on a wall 2 m ahead of an optical frame.
+Plane wall()
+{
+  Plane wall;
+  wall.normal.z = -1.0;
+  wall.distance = 2.0;
+  for (const Eigen::Vector2f& corner :
+       {Eigen::Vector2f(0, 0), Eigen::Vector2f(0, 2), Eigen::Vector2f(1, 2), Eigen::Vector2f(1, 1),
+        Eigen::Vector2f(2, 1), Eigen::Vector2f(2, 0)}) {
+    geometry_msgs::Point32& point = wall.boundary.emplace_back();
+    point.x = corner.x();
+    point.y = corner.y();
+    point.z = 2.0F;
+  }
+  return wall;
+}
+
+TEST(MessageGeometry, APlaneNeedsAUnitNormalFiniteNumbersAndThreePoints)
+{
+  EXPECT_TRUE(isDrawable(wall()));
+  Plane plane = wall();
+  plane.normal.z = 0.5;
+  EXPECT_FALSE(isDrawable(plane));
+  plane = wall();
+  plane.distance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(isDrawable(plane));
+  plane = wall();
+  plane.boundary[1].x = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(isDrawable(plane));
+  plane = wall();
+  plane.boundary.resize(2);
+  EXPECT_FALSE(isDrawable(plane));
+}
+
+TEST(MessageGeometry, ThePlanesAreaIsThatInsideOfItsBoundary)
+{
+  const std::vector<Eigen::Vector3d> corners = trianglesOf(wall());
+  ASSERT_EQ(corners.size() % 3, 0U);
+  double area = 0.0;
+  for (std::size_t k = 0; k < corners.size(); k += 3) {
+    area += 0.5 * (corners[k + 1] - corners[k]).cross(corners[k + 2] - corners[k]).norm();
+    for (std::size_t corner = k; corner < k + 3; ++corner)
+      EXPECT_NEAR(corners[corner].z(), 2.0, 1e-9) << "corner " << corner << " is not on the plane";
+  }
+  EXPECT_NEAR(area, 3.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace polygonal_perception::displays

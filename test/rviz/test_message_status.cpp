@@ -35,6 +35,16 @@ void expectStatus(const StatusLine& status, StatusProperty::Level level, const s
       << "'" << status.text.toStdString() << "' does not say '" << text << "'";
 }
 
+TEST(MessageStatus, PlanesAreCountedByKind)
+{
+  PlaneArray array;
+  for (const std::uint8_t kind : {Plane::FLOOR, Plane::VERTICAL, Plane::VERTICAL, Plane::SLOPED})
+    array.planes.emplace_back().kind = kind;
+  expectStatus(planeStatus(array, 0), StatusProperty::Ok,
+               "4 planes: 1 floor, 0 horizontal, 2 vertical, 1 sloped");
+  expectStatus(planeStatus(array, 1), StatusProperty::Error, "1 plane left out");
+}
+
 TEST(MessageStatus, OnlyAFloorThatWasFoundIsFine)
 {
   expectStatus(floorStatus(arrayWith(FloorPlane::FOUND)), StatusProperty::Ok, "FOUND");

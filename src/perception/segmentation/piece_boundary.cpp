@@ -39,8 +39,11 @@ void PieceBoundary::trace(const PointView& points, const SampleGrid& grid, const
   for (const Edge& edge : edges_) {
     const auto last = lastPoint(points, grid, lookup, static_cast<int>(piece.plane), edge);
     if (!last) continue;
-    if (const auto vertex = meet(reference, *last)) vertices.push_back(*vertex);
+    const auto vertex = meet(reference, *last);
+    // At a corner of the image two edges end in one pixel.
+    if (vertex && (vertices.size() == first || vertices.back() != *vertex)) vertices.push_back(*vertex);
   }
+  if (vertices.size() > first + 1 && vertices.back() == vertices[first]) vertices.pop_back();
   // In the image y points down: what runs counter-clockwise in the grid is clockwise to the camera.
   std::reverse(vertices.begin() + static_cast<std::ptrdiff_t>(first), vertices.end());
 }

@@ -58,7 +58,8 @@ void PixelFit::addPixels(const PointView& points, const NoisySamples& samples,
       const Eigen::Vector3f point = points.point(pixel.u, v);
       const PlaneLookup::Answer answer = lookup.planeOf(pixel.sample, point);
       const int expected = plane_of[pixel.sample];
-      if (expected != PlaneLookup::kNone) {
+      // A pixel without a return, which has a NaN, says nothing for or against a plane.
+      if (expected != PlaneLookup::kNone && point.allFinite()) {
         ++looked_at_[static_cast<std::size_t>(expected)];
         on_[static_cast<std::size_t>(expected)] += answer.is_on_own ? 1 : 0;
       }

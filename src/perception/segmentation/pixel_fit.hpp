@@ -20,7 +20,7 @@ public:
     PlaneFit::Result plane;
     Eigen::Matrix4d covariance;  // of the normal's three components [1] and the distance [m]
     double support =
-        0.0;  // share of the pixels next to its samples that lie on it; 0 where they span no plane
+        0.0;  // share of the points next to its samples that lie on it; 0 where they span no plane
   };
 
   /// Fits all planes of a frame anew. Where the pixels of one span no plane, that of the samples stays.

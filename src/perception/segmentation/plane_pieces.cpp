@@ -27,18 +27,20 @@ void PlanePieces::completeEdges(const PlaneExtraction& extraction,
   const NoisySamples& samples = extraction.samples();
   const auto limit = static_cast<float>(parameters.inlier_sigmas * parameters.inlier_sigmas);
   plane_of_ = extraction.planeOf();
-  for (std::uint32_t k = 0; k < samples.size(); ++k) {
-    int& plane = plane_of_[k];
-    if (plane == PlaneSegments::kNone && samples[k].has_point) {
+  // Twice: at a corner all neighbours are edge samples themselves.
+  for (int round = 0; round < 2; ++round) {
+    before_ = plane_of_;
+    for (std::uint32_t k = 0; k < samples.size(); ++k) {
+      if (before_[k] != PlaneSegments::kNone || !samples[k].has_point) continue;
       float nearest = limit;
       samples.forEachNeighbour(k, [&](std::uint32_t neighbour) {
-        const int other = extraction.planeOf()[neighbour];
+        const int other = before_[neighbour];
         if (other == PlaneSegments::kNone) return;
         const ReferencePlane reference(extraction.planes()[static_cast<std::size_t>(other)].fit.plane);
         const float deviation = reference.deviation(samples[k]);
         if (!(deviation < nearest)) return;
         nearest = deviation;
-        plane = other;
+        plane_of_[k] = other;
       });
     }
   }

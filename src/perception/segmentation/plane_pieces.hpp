@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,8 @@ public:
     pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), predicate), pieces_.end());
   }
 
+  void remove(std::size_t index) { pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(index)); }
+
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<std::uint32_t>& cells() const { return cells_; }
   /// The plane of each sample, or PlaneSegments::kNone. More samples have one here than in the extraction: at the edge
@@ -47,6 +50,7 @@ private:
   void collect(const NoisySamples& samples, int plane, std::uint32_t least);
 
   std::vector<int> plane_of_;
+  std::vector<int> before_;            // the same, before a round of completion
   std::vector<std::uint32_t> counts_;  // samples of each plane
   std::vector<std::uint8_t> is_free_;  // of each sample: a cell of the plane at hand, in no piece yet
   std::vector<Piece> pieces_;

@@ -1,5 +1,6 @@
 #include "polygonal_perception/perception/segmentation/plane_segmentation.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +10,21 @@
 #include "perception/segmentation/plane_pieces.hpp"
 
 namespace polygonal_perception::perception {
+
+namespace {
+
+/// Whether a boundary runs round something, counter-clockwise as the camera sees it: that of a few noisy samples in a line
+/// may not.
+bool hasArea(const SegmentedPlanes& planes, const SegmentedPlane& plane)
+{
+  Eigen::Vector3f area = Eigen::Vector3f::Zero();
+  const Eigen::Vector3f* const ring = planes.vertices.data() + plane.first_vertex;
+  for (std::uint32_t k = 2; k < plane.vertex_count; ++k)
+    area += (ring[k - 1] - ring[0]).cross(ring[k] - ring[0]);
+  return plane.plane.normal.cast<float>().dot(area) > 0.0F;
+}
+
+}  // namespace
 
 struct PlaneSegmentation::Workspace
 {
@@ -55,17 +71,18 @@ void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
   const PlaneExtractionParameters& extracted_by = detector.parameters().planes;
   const NoisySamples& samples = extraction.samples();
   planes.clear();
-  w.pieces.find(extraction, extracted_by,
-                static_cast<std::uint32_t>(std::ceil(parameters_.least_share * samples.size())),
+  const double least = std::max(extracted_by.least_samples, parameters_.least_share * samples.size());
+  w.pieces.find(extraction, extracted_by, static_cast<std::uint32_t>(std::ceil(least)),
                 parameters_.normal_margin);
   w.lookup.take(extraction, w.pieces.planeOf(), extracted_by);
   const auto floor_plane = floor.status == FloorStatus::kFound ? w.findFloor(detector) : std::nullopt;
   if (floor_plane) w.lookup.set(*floor_plane, floor.floor.plane);
   w.fit.fit(points, extraction, w.pieces.planeOf(), floor_plane, w.lookup);
   w.pieces.removeIf([&](const PlanePieces::Piece& piece) {
-    const PixelFit::Fit& fit = w.fit[piece.plane];
-    return piece.plane != floor_plane && (fit.support < parameters_.least_support ||
-                                          fit.plane.normal_sigma > parameters_.largest_normal_sigma);
+    const auto& [fit, covariance, support] = w.fit[piece.plane];
+    return piece.plane != floor_plane &&
+           (support < parameters_.least_support || fit.normal_sigma > parameters_.largest_normal_sigma ||
+            fit.plane.distance < extracted_by.least_view_angle * fit.centre.norm());
   });
 
   const auto kindOf = [&](const PlaneFit::Result& fit) {
@@ -75,7 +92,9 @@ void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
     if (cosine > std::cos(angle)) return PlaneKind::kHorizontal;
     return cosine < std::sin(angle) ? PlaneKind::kVertical : PlaneKind::kSloped;
   };
-  for (const PlanePieces::Piece& piece : w.pieces.pieces()) {
+  while (planes.planes.size() < w.pieces.pieces().size()) {
+    const std::size_t index = planes.planes.size();
+    const PlanePieces::Piece& piece = w.pieces.pieces()[index];
     SegmentedPlane& plane = planes.planes.emplace_back();
     plane.sample_count = piece.sample_count;
     if (piece.plane == floor_plane) {
@@ -93,11 +112,15 @@ void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
     plane.first_vertex = static_cast<std::uint32_t>(planes.vertices.size());
     w.boundary.trace(points, grid, w.lookup, w.pieces.cells().data(), piece, plane.plane, planes.vertices);
     plane.vertex_count = static_cast<std::uint32_t>(planes.vertices.size()) - plane.first_vertex;
+    if (hasArea(planes, plane)) continue;
+    planes.vertices.resize(plane.first_vertex);
+    planes.planes.pop_back();
+    w.pieces.remove(index);
   }
   w.identities.assign(samples, w.pieces, parameters_.id_angle, planes.planes);
-  std::stable_sort(
-      planes.planes.begin(), planes.planes.end(),
-      [](const SegmentedPlane& a, const SegmentedPlane& b) { return a.sample_count > b.sample_count; });
+  std::sort(planes.planes.begin(), planes.planes.end(), [](const SegmentedPlane& a, const SegmentedPlane& b) {
+    return a.sample_count != b.sample_count ? a.sample_count > b.sample_count : a.id < b.id;
+  });
 }
 
 void PlaneSegmentation::reset()

@@ -25,10 +25,10 @@ public:
     /// chance, on a person's back.
     double least_share = 0.01;
     /// A sample that lies on two planes, where they cross, is of that whose normal is nearer to its own, if the cosines
-    /// differ by this: as those of a floor and a board of 8 degrees do.
-    double normal_margin = 0.01;
-    /// Of the pixels next to a plane's samples at least this share lies on it: what is curved has few.
-    double least_support = 0.75;
+    /// differ by this: as those of a floor and a board of 7 degrees do.
+    double normal_margin = 0.006;
+    /// Of the points next to a plane's samples at least this share lies on it: on what is thin and curved few do.
+    double least_support = 0.86;
     /// [rad] A plane whose normal is not known to 4 degrees, one standard deviation, is none.
     double largest_normal_sigma = 0.07;
     /// [rad] A plane is level or upright to this angle, 3 degrees, and what the noise leaves uncertain of its normal:
@@ -38,6 +38,19 @@ public:
     double kind_sigmas = 3.0;
     /// [rad] By how much the normal of one plane may turn from frame to frame.
     double id_angle = 0.35;
+
+    /// Users leave them alone: for the ablation.
+    template <class Self, class Visitor>
+    static void describeThresholds(Self& self, Visitor&& visit)
+    {
+      visit("least_share", self.least_share);
+      visit("normal_margin", self.normal_margin);
+      visit("least_support", self.least_support);
+      visit("largest_normal_sigma", self.largest_normal_sigma);
+      visit("kind_angle", self.kind_angle);
+      visit("kind_sigmas", self.kind_sigmas);
+      visit("id_angle", self.id_angle);
+    }
   };
 
   explicit PlaneSegmentation(const Parameters& parameters);
