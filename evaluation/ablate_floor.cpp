@@ -35,6 +35,13 @@ struct TestFrame
   double highest;  // [m] what is known of the camera's height
 };
 
+/// All that decides.
+struct Parameters
+{
+  FloorDetector::Parameters detector;
+  perception::FloorTracker::Parameters tracker;
+};
+
 /// What a set of parameters gives.
 struct Outcome
 {
@@ -48,7 +55,7 @@ class Frames
 public:
   void render(int seeds, int frames_each);
   void record(const std::string& frames_json);
-  Outcome judge(const FloorDetector::Parameters& parameters) const;
+  Outcome judge(const Parameters& parameters) const;
 
 private:
   static constexpr double kKnownHeight = 0.1;  // [m] above stairs and ledges
@@ -111,7 +118,7 @@ void Frames::record(const std::string& frames_json)
   }
 }
 
-Outcome Frames::judge(const FloorDetector::Parameters& parameters) const
+Outcome Frames::judge(const Parameters& parameters) const
 {
   Outcome outcome;
   std::vector<double> times;
@@ -119,13 +126,13 @@ Outcome Frames::judge(const FloorDetector::Parameters& parameters) const
   for (const bool recorded : {false, true}) {
     FloorScore& score = recorded ? outcome.recorded : outcome.rendered;
     int run = -1;
-    perception::FloorTracker tracker({}, parameters);
+    perception::FloorTracker tracker(parameters.tracker, parameters.detector);
     for (const TestFrame& frame : recorded ? recorded_ : rendered_) {
       if (frame.run != run) tracker.reset();
       run = frame.run;
-      FloorDetector::Parameters known = parameters;
+      FloorDetector::Parameters known = parameters.detector;
       known.selection.max_camera_height = std::min(known.selection.max_camera_height, frame.highest);
-      tracker.configure({}, known);
+      tracker.configure(parameters.tracker, known);
       const perception::PointView view = perception::PointView::depth(
           frame.depth.data(), frame.rays->column_slope.size() * sizeof(float), *frame.rays);
       grid.update(view);
@@ -142,11 +149,12 @@ Outcome Frames::judge(const FloorDetector::Parameters& parameters) const
 
 /// All thresholds, by name.
 template <class Visitor>
-void forEachThreshold(FloorDetector::Parameters& parameters, Visitor&& visit)
+void forEachThreshold(Parameters& parameters, Visitor&& visit)
 {
-  perception::PlaneExtractionParameters::describeThresholds(parameters.planes, visit);
-  perception::FloorSelectionParameters::describeThresholds(parameters.selection, visit);
-  perception::FloorRefinementParameters::describeThresholds(parameters.refinement, visit);
+  perception::PlaneExtractionParameters::describeThresholds(parameters.detector.planes, visit);
+  perception::FloorSelectionParameters::describeThresholds(parameters.detector.selection, visit);
+  perception::FloorRefinementParameters::describeThresholds(parameters.detector.refinement, visit);
+  perception::FloorTracker::Parameters::describeThresholds(parameters.tracker, visit);
 }
 
 std::string cell(const Outcome& outcome)
@@ -170,14 +178,14 @@ void ablate(const Frames& frames)
       << "| threshold | value | off (0) | x 0.7 | x 1.4 | time off, x 0.7, x 1.4 |\n"
          "| --- | --: | --- | --- | --- | --- |\n";
   std::vector<std::string> names;
-  FloorDetector::Parameters defaults;
+  Parameters defaults;
   forEachThreshold(defaults, [&](const char* name, double /*value*/) { names.emplace_back(name); });
   for (const std::string& name : names) {
     std::string row;
     std::string times;
     double value = 0.0;
     for (const double factor : kFactors) {
-      FloorDetector::Parameters changed;
+      Parameters changed;
       forEachThreshold(changed, [&](const char* other, double& member) {
         if (name != other) return;
         value = member;

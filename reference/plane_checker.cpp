@@ -30,7 +30,22 @@ std::string print(const char* format, Values... values)
   return text;
 }
 
+/// [deg] One standard deviation of a plane's normal.
+double degreesKnown(const perception::SegmentedPlane& plane)
+{
+  constexpr double kDegreesPerRadian = 57.29577951308232;
+  return kDegreesPerRadian * std::sqrt(plane.covariance.topLeftCorner<3, 3>().trace());
+}
+
 }  // namespace
+
+/// A true plane, in the image.
+struct PlaneChecker::True
+{
+  std::uint16_t number;
+  int pixels;
+  cv::Mat1b mask;
+};
 
 /// A plane that was found, in the image.
 struct PlaneChecker::Found
@@ -120,26 +135,9 @@ PlaneChecker::Found PlaneChecker::look(const SimulatedFrame& frame, const percep
 void PlaneChecker::add(const SimulatedFrame& frame, const perception::SegmentedPlanes& planes)
 {
   const simulation::PinholeCamera& camera = camera_.options().camera;
-  const auto size = static_cast<double>(camera.size());
   ++counts_.frames;
-  std::map<std::uint16_t, std::vector<Found>> found_on;
-  for (const perception::SegmentedPlane& plane : planes.planes) {
-    ++counts_.listed;
-    Found found = look(frame, planes, plane);
-    if (found.number != ScenePlanes::kNone) {
-      found_on[found.number].push_back(found);
-    } else if (found.pixels >= kInvented * size) {
-      ++counts_.invented;
-      fault(frame, print("invented: %d pixels, %.0f %% of them on plane %d, which is %.1f deg from it; %u "
-                         "samples %.1f m away, its normal known to %.1f deg",
-                         found.pixels, 100.0 * found.share, int{found.nearest},
-                         found.nearest == ScenePlanes::kNone
-                             ? 180.0
-                             : normalError(plane.plane, truePlane(frame, found.nearest)),
-                         plane.sample_count, double{planes.vertices[plane.first_vertex].z()},
-                         57.3 * std::sqrt(plane.covariance.topLeftCorner<3, 3>().trace())));
-    }
-  }
+  counts_.listed += static_cast<int>(planes.planes.size());
+  const std::map<std::uint16_t, std::vector<Found>> found_on = findOwners(frame, planes);
 
   cv::Mat1w numbers(static_cast<int>(camera.height), static_cast<int>(camera.width));
   for (std::size_t k = 0; k < camera.size(); ++k)
@@ -147,76 +145,114 @@ void PlaneChecker::add(const SimulatedFrame& frame, const perception::SegmentedP
   std::vector<int> pixels(camera_.planes().count() + 1, 0);
   for (const std::uint16_t number : numbers) ++pixels[number];
   std::map<std::uint16_t, std::uint32_t> ids;
-  const cv::Mat stride = cv::Mat1b::ones(2 * stride_y_ + 1, 2 * stride_x_ + 1);
-  const cv::Mat neck = cv::Mat1b::ones(3 * stride_y_ / 2, 3 * stride_x_ / 2);
   for (std::uint16_t number = 1; number < pixels.size(); ++number) {
-    if (pixels[number] < kLargeEnough * size) continue;
+    if (pixels[number] < kLargeEnough * static_cast<double>(camera.size())) continue;
     ++counts_.true_ones;
-    const cv::Mat1b own = numbers == number;
-    const std::vector<Found>& found = found_on[number];
-    cv::Mat1b covered = cv::Mat1b::zeros(own.size());
-    for (const Found& one : found) covered |= one.mask;
-    cv::dilate(covered, covered, stride);
-    const int share = 100 * cv::countNonZero(covered & own) / std::max(1, pixels[number]);
-    if (found.empty() || share < 100 * kOverlap) {
-      ++counts_.uncovered;
-      fault(frame, print("uncovered: plane %d, %d pixels, %d %% of them under %zu planes", int{number},
-                         pixels[number], share, found.size()));
-      continue;
-    }
-    const Found& largest = *std::max_element(
-        found.begin(), found.end(), [](const Found& a, const Found& b) { return a.pixels < b.pixels; });
-    const geometry::Plane truth = truePlane(frame, number);
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < camera.size(); ++k) {
-      if (numbers(static_cast<int>(k)) != number) continue;
-      const auto u = static_cast<double>(k % camera.width);
-      const auto v = static_cast<double>(k / camera.width);
-      middle += frame.truth.depth[k] *
-                Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
-    }
-    middle /= pixels[number];
-    const double degrees = normalError(largest.plane->plane, truth);
-    const double millimetres = 1000.0 * std::abs(largest.plane->plane.height(middle));
-    counts_.degrees.push_back(degrees);
-    counts_.millimetres.push_back(millimetres);
-    const simulation::DepthNoise::Parameters& noise = camera_.options().noise;
-    const double sigma = noise.sigma_base + noise.sigma_quadratic * std::pow(middle.z() - 0.4, 2);
-    if (degrees > kDegrees || millimetres > kMillimetres + 1000.0 * 3.0 * sigma / std::sqrt(30.0)) {
-      ++counts_.off;
-      fault(frame, print("off: plane %d, %d pixels, %.1f m away, by %.2f deg and %.1f mm; its normal known "
-                         "to %.1f deg",
-                         int{number}, pixels[number], middle.z(), degrees, millimetres,
-                         57.3 * std::sqrt(largest.plane->covariance.topLeftCorner<3, 3>().trace())));
-    } else {
-      ++counts_.found;
-    }
+    const True truth{number, pixels[number], numbers == number};
+    const auto found = found_on.find(number);
+    if (!isCovered(frame, truth, found == found_on.end() ? std::vector<Found>{} : found->second)) continue;
+    const Found& largest =
+        *std::max_element(found->second.begin(), found->second.end(),
+                          [](const Found& a, const Found& b) { return a.pixels < b.pixels; });
+    judgeFit(frame, truth, *largest.plane);
+    countSplits(frame, truth, found->second);
     ids[number] = largest.plane->id;
     if (const auto last = last_ids_.find(number); last != last_ids_.end()) {
       ++counts_.pairs;
       counts_.kept += last->second == largest.plane->id ? 1 : 0;
     }
-
-    // What hangs together by less than a neck of one and a half samples is two pieces.
-    cv::Mat1b piece_mask;
-    cv::morphologyEx(own, piece_mask, cv::MORPH_CLOSE, cv::Mat1b::ones(9, 9));
-    cv::erode(piece_mask, piece_mask, neck);
-    cv::Mat1i piece_of;
-    const int pieces = cv::connectedComponents(piece_mask, piece_of);
-    for (int piece = 1; piece < pieces; ++piece) {
-      const cv::Mat1b here = piece_of == piece;
-      const int piece_size = cv::countNonZero(here);
-      if (piece_size < kInvented * size) continue;
-      const auto planes_here = std::count_if(found.begin(), found.end(), [&](const Found& one) {
-        return cv::countNonZero(one.mask & here) > kPartOfPiece * piece_size;
-      });
-      if (planes_here <= 1) continue;
-      counts_.split += static_cast<int>(planes_here) - 1;
-      fault(frame, print("split: plane %d, a piece of %d pixels, into %d", int{number}, piece_size,
-                         static_cast<int>(planes_here)));
-    }
   }
   last_ids_ = ids;
+}
+
+/// The planes that were found, by the true plane that they are of; the others are invented.
+std::map<std::uint16_t, std::vector<PlaneChecker::Found>> PlaneChecker::findOwners(
+    const SimulatedFrame& frame, const perception::SegmentedPlanes& planes)
+{
+  std::map<std::uint16_t, std::vector<Found>> found_on;
+  for (const perception::SegmentedPlane& plane : planes.planes) {
+    Found found = look(frame, planes, plane);
+    if (found.number != ScenePlanes::kNone) {
+      found_on[found.number].push_back(found);
+    } else if (found.pixels >= kInvented * static_cast<double>(camera_.options().camera.size())) {
+      ++counts_.invented;
+      fault(frame,
+            print("invented: %d pixels, %.0f %% of them on plane %d, which is %.1f deg from it; %u samples "
+                  "%.1f m away, its normal known to %.1f deg",
+                  found.pixels, 100.0 * found.share, int{found.nearest},
+                  found.nearest == ScenePlanes::kNone
+                      ? 180.0
+                      : normalError(plane.plane, truePlane(frame, found.nearest)),
+                  plane.sample_count, double{planes.vertices[plane.first_vertex].z()}, degreesKnown(plane)));
+    }
+  }
+  return found_on;
+}
+
+bool PlaneChecker::isCovered(const SimulatedFrame& frame, const True& truth, const std::vector<Found>& found)
+{
+  cv::Mat1b covered = cv::Mat1b::zeros(truth.mask.size());
+  for (const Found& one : found) covered |= one.mask;
+  cv::dilate(covered, covered, cv::Mat1b::ones(2 * stride_y_ + 1, 2 * stride_x_ + 1));
+  const int pixels = cv::countNonZero(covered & truth.mask);
+  if (!found.empty() && pixels >= kOverlap * truth.pixels) return true;
+  ++counts_.uncovered;
+  fault(frame, print("uncovered: plane %d, %d pixels, %d of them under %zu planes", int{truth.number},
+                     truth.pixels, pixels, found.size()));
+  return false;
+}
+
+void PlaneChecker::judgeFit(const SimulatedFrame& frame, const True& truth,
+                            const perception::SegmentedPlane& plane)
+{
+  const simulation::PinholeCamera& camera = camera_.options().camera;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < camera.size(); ++k) {
+    if (truth.mask(static_cast<int>(k)) == 0) continue;
+    const auto u = static_cast<double>(k % camera.width);
+    const auto v = static_cast<double>(k / camera.width);
+    middle +=
+        frame.truth.depth[k] * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
+  }
+  middle /= truth.pixels;
+  const double degrees = normalError(plane.plane, truePlane(frame, truth.number));
+  const double millimetres = 1000.0 * std::abs(plane.plane.height(middle));
+  counts_.degrees.push_back(degrees);
+  counts_.millimetres.push_back(millimetres);
+  const simulation::DepthNoise::Parameters& noise = camera_.options().noise;
+  const double sigma = noise.sigma_base + noise.sigma_quadratic * std::pow(middle.z() - 0.4, 2);
+  // Of 3 % of the image there are thirty samples.
+  if (degrees <= kDegrees && millimetres <= kMillimetres + 1000.0 * 3.0 * sigma / std::sqrt(30.0)) {
+    ++counts_.found;
+    return;
+  }
+  ++counts_.off;
+  fault(frame,
+        print("off: plane %d, %d pixels, %.1f m away, by %.2f deg and %.1f mm; its normal known to %.1f deg",
+              int{truth.number}, truth.pixels, middle.z(), degrees, millimetres, degreesKnown(plane)));
+}
+
+void PlaneChecker::countSplits(const SimulatedFrame& frame, const True& truth,
+                               const std::vector<Found>& found)
+{
+  // What hangs together by less than a neck of one and a half samples is two pieces.
+  cv::Mat1b pieces;
+  cv::morphologyEx(truth.mask, pieces, cv::MORPH_CLOSE, cv::Mat1b::ones(9, 9));
+  cv::erode(pieces, pieces, cv::Mat1b::ones(3 * stride_y_ / 2, 3 * stride_x_ / 2));
+  cv::Mat1i piece_of;
+  const int count = cv::connectedComponents(pieces, piece_of);
+  for (int piece = 1; piece < count; ++piece) {
+    const cv::Mat1b here = piece_of == piece;
+    const int pixels = cv::countNonZero(here);
+    if (pixels < kInvented * static_cast<double>(camera_.options().camera.size())) continue;
+    const auto planes_here = std::count_if(found.begin(), found.end(), [&](const Found& one) {
+      return cv::countNonZero(one.mask & here) > kPartOfPiece * pixels;
+    });
+    if (planes_here <= 1) continue;
+    counts_.split += static_cast<int>(planes_here) - 1;
+    fault(frame, print("split: plane %d, a piece of %d pixels, into %d", int{truth.number}, pixels,
+                       static_cast<int>(planes_here)));
+  }
 }
 
 void PlaneChecker::fault(const SimulatedFrame& frame, const std::string& text)

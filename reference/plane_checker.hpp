@@ -45,10 +45,18 @@ public:
   const PlaneCounts& counts() const { return counts_; }
 
 private:
+  struct True;
   struct Found;
 
   Found look(const simulation::SimulatedFrame& frame, const perception::SegmentedPlanes& planes,
              const perception::SegmentedPlane& plane) const;
+  std::map<std::uint16_t, std::vector<Found>> findOwners(const simulation::SimulatedFrame& frame,
+                                                         const perception::SegmentedPlanes& planes);
+  bool isCovered(const simulation::SimulatedFrame& frame, const True& truth, const std::vector<Found>& found);
+  void judgeFit(const simulation::SimulatedFrame& frame, const True& truth,
+                const perception::SegmentedPlane& plane);
+  void countSplits(const simulation::SimulatedFrame& frame, const True& truth,
+                   const std::vector<Found>& found);
   geometry::Plane truePlane(const simulation::SimulatedFrame& frame, std::uint16_t number) const;
   void fault(const simulation::SimulatedFrame& frame, const std::string& text);
 

@@ -5,24 +5,6 @@
 
 namespace polygonal_perception::perception {
 
-namespace {
-
-constexpr double kHeightTolerance = 0.06;  // [m] from one frame to the next
-constexpr double kVerticalSpeed = 0.1;     // [m/s]
-/// How long after it was last seen the floor's height still says something about the camera's.
-constexpr double kHeightMemory = 3.0;  // [s]
-/// The same for a lower storey: the robot may stand at its edge and look down for a while.
-constexpr double kDropMemory = 20.0;  // [s]
-/// Offsets nearer than this are those of one plane.
-constexpr double kSameOffset = 0.1;  // [m]
-/// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
-constexpr int kConfirmedAfter = 5;
-/// A plane nearer than this may as well be a table top that the camera looks over: it never counts as
-/// confirmed. A robot with a lower camera has max_camera_height to keep it off lower storeys.
-constexpr double kLeastConfirmedHeight = 0.38;  // [m]
-
-}  // namespace
-
 void FloorTracker::configure(const Parameters& parameters, const FloorDetector::Parameters& detector)
 {
   parameters_ = parameters;
@@ -41,7 +23,7 @@ void FloorTracker::reset()
 void FloorTracker::forgetView()
 {
   view_is_new_ = true;
-  streak_ = 0;
+  streak_ = 0.0;
   others_.fill(OtherPlane{});
 }
 
@@ -62,24 +44,24 @@ FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d
 
   const double unseen = stamp - *found_stamp_;
   for (const OtherPlane& other : others_) {
-    if (stamp - other.stamp < (other.offset < 0.0 ? kDropMemory : kHeightMemory))
+    if (stamp - other.stamp < (other.offset < 0.0 ? parameters_.drop_memory : parameters_.height_memory))
       prior.others.add(other.offset);
   }
-  if (unseen < kHeightMemory || prior.others.begin() != prior.others.end()) {
+  if (unseen < parameters_.height_memory || prior.others.begin() != prior.others.end()) {
     prior.height = state_.floor.plane.distance;
-    prior.height_tolerance = kHeightTolerance + kVerticalSpeed * unseen;
-    prior.confirmed = streak_ >= kConfirmedAfter && known;
+    prior.height_tolerance = parameters_.height_tolerance + parameters_.vertical_speed * unseen;
+    prior.confirmed = streak_ >= parameters_.confirmed_after && known;
   }
   return prior;
 }
 
 void FloorTracker::remember(const DetectedFloor& floor, double stamp)
 {
-  const bool lasts = floor.continued && floor.plane.distance > kLeastConfirmedHeight;
-  streak_ = lasts ? std::min(streak_ + 1, kConfirmedAfter) : 1;
+  const bool lasts = floor.continued && floor.plane.distance > parameters_.least_confirmed_height;
+  streak_ = lasts ? std::min(streak_ + 1.0, parameters_.confirmed_after) : 1.0;
   for (const double offset : floor.others) {
     auto same = std::find_if(others_.begin(), others_.end(), [&](const OtherPlane& other) {
-      return std::abs(other.offset - offset) < kSameOffset;
+      return std::abs(other.offset - offset) < parameters_.remembered_offset;
     });
     if (same == others_.end()) {
       same = std::min_element(others_.begin(), others_.end(),
@@ -98,7 +80,7 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
   if (last_stamp_ && stamp < *last_stamp_) reset();
   const bool time_passes = last_stamp_ && stamp > *last_stamp_;
   last_stamp_ = stamp;
-  if (view_change_.update(grid)) forgetView();
+  if (view_change_.update(grid, parameters_.view_change)) forgetView();
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
   if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
 

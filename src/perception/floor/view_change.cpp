@@ -5,9 +5,9 @@
 
 namespace polygonal_perception::perception {
 
-bool ViewChange::update(const SampleGrid& grid)
+bool ViewChange::update(const SampleGrid& grid, const Parameters& parameters)
 {
-  constexpr float kOtherRange = 0.15F;
+  const auto other_range = static_cast<float>(parameters.other_range);
   const auto& samples = grid.samples();
   const bool comparable = ranges_.size() == samples.size();
   ranges_.resize(samples.size(), 0.0F);
@@ -19,9 +19,13 @@ bool ViewChange::update(const SampleGrid& grid)
     ranges_[k] = now;
     if (!(before > 0.0F && now > 0.0F)) continue;
     ++compared;
-    changed += std::abs(now - before) > kOtherRange * std::min(now, before) ? 1 : 0;
+    changed += std::abs(now - before) > other_range * std::min(now, before) ? 1 : 0;
   }
-  return comparable && compared * 10 > samples.size() && changed * 2 > compared;
+  const auto share = [](std::size_t part, std::size_t whole) {
+    return static_cast<double>(part) / static_cast<double>(whole);
+  };
+  return comparable && compared > 0 && share(compared, samples.size()) > parameters.least_compared &&
+         share(changed, compared) > parameters.most_changed;
 }
 
 }  // namespace polygonal_perception::perception

@@ -24,6 +24,16 @@ bool hasArea(const SegmentedPlanes& planes, const SegmentedPlane& plane)
   return plane.plane.normal.cast<float>().dot(area) > 0.0F;
 }
 
+PlaneKind kindOf(const PlaneFit::Result& fit, const std::optional<Eigen::Vector3d>& up,
+                 const PlaneSegmentation::Parameters& parameters)
+{
+  if (!up) return PlaneKind::kUnknown;
+  const double angle = parameters.kind_angle + parameters.kind_sigmas * fit.normal_sigma;
+  const double cosine = std::abs(fit.plane.normal.dot(*up));
+  if (cosine > std::cos(angle)) return PlaneKind::kHorizontal;
+  return cosine < std::sin(angle) ? PlaneKind::kVertical : PlaneKind::kSloped;
+}
+
 }  // namespace
 
 struct PlaneSegmentation::Workspace
@@ -34,8 +44,13 @@ struct PlaneSegmentation::Workspace
   PieceBoundary boundary;
   PlaneIdentities identities;
   std::vector<std::uint32_t> floor_samples;  // of each extracted plane
+  std::optional<std::size_t> floor_plane;    // the extracted plane that is the floor
 
-  std::optional<std::size_t> findFloor(const FloorDetector& detector);
+  void findFloor(const FloorDetector& detector, const FloorState& floor);
+  bool isBorneOut(std::size_t plane, const Parameters& parameters,
+                  const PlaneExtractionParameters& extracted_by) const;
+  SegmentedPlane describe(const PlanePieces::Piece& piece, const FloorState& floor,
+                          const std::optional<Eigen::Vector3d>& up, const Parameters& parameters) const;
 };
 
 PlaneSegmentation::PlaneSegmentation(const Parameters& parameters)
@@ -46,9 +61,11 @@ PlaneSegmentation::PlaneSegmentation(PlaneSegmentation&& other) noexcept = defau
 PlaneSegmentation& PlaneSegmentation::operator=(PlaneSegmentation&& other) noexcept = default;
 PlaneSegmentation::~PlaneSegmentation() = default;
 
-/// The extracted plane most of whose samples are the floor's.
-std::optional<std::size_t> PlaneSegmentation::Workspace::findFloor(const FloorDetector& detector)
+/// The floor is the extracted plane most of whose samples are the floor's.
+void PlaneSegmentation::Workspace::findFloor(const FloorDetector& detector, const FloorState& floor)
 {
+  floor_plane.reset();
+  if (floor.status != FloorStatus::kFound) return;
   const PlaneExtraction& extraction = detector.extraction();
   floor_samples.assign(extraction.planes().size(), 0);
   for (std::size_t k = 0; k < detector.labels().size(); ++k) {
@@ -57,9 +74,43 @@ std::optional<std::size_t> PlaneSegmentation::Workspace::findFloor(const FloorDe
       ++floor_samples[static_cast<std::size_t>(plane)];
   }
   const auto most = std::max_element(floor_samples.begin(), floor_samples.end());
-  if (most == floor_samples.end()) return std::nullopt;
+  if (most == floor_samples.end()) return;
   const auto index = static_cast<std::size_t>(most - floor_samples.begin());
-  return 2 * *most > extraction.planes()[index].size ? std::optional(index) : std::nullopt;
+  if (2 * *most > extraction.planes()[index].size) floor_plane = index;
+}
+
+/// Whether the pixels say that there is a plane, too.
+bool PlaneSegmentation::Workspace::isBorneOut(std::size_t plane, const Parameters& parameters,
+                                              const PlaneExtractionParameters& extracted_by) const
+{
+  const PlaneFit::Result& result = fit[plane].plane;
+  return plane == floor_plane ||
+         (fit[plane].support >= parameters.least_support &&
+          result.normal_sigma <= parameters.largest_normal_sigma &&
+          result.plane.distance >= extracted_by.least_view_angle * result.centre.norm());
+}
+
+/// All but the boundary and the id.
+SegmentedPlane PlaneSegmentation::Workspace::describe(const PlanePieces::Piece& piece,
+                                                      const FloorState& floor,
+                                                      const std::optional<Eigen::Vector3d>& up,
+                                                      const Parameters& parameters) const
+{
+  SegmentedPlane plane;
+  plane.sample_count = piece.sample_count;
+  if (piece.plane == floor_plane) {
+    plane.kind = PlaneKind::kFloor;
+    plane.plane = floor.floor.plane;
+    plane.rms_error = floor.floor.rms_error;
+    plane.covariance = floor.floor.covariance;
+  } else {
+    const auto& [result, covariance, support] = fit[piece.plane];
+    plane.kind = kindOf(result, up, parameters);
+    plane.plane = result.plane;
+    plane.rms_error = result.rms_error;
+    plane.covariance = covariance;
+  }
+  return plane;
 }
 
 void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
@@ -71,51 +122,30 @@ void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
   const PlaneExtractionParameters& extracted_by = detector.parameters().planes;
   const NoisySamples& samples = extraction.samples();
   planes.clear();
+
   const double least = std::max(extracted_by.least_samples, parameters_.least_share * samples.size());
   w.pieces.find(extraction, extracted_by, static_cast<std::uint32_t>(std::ceil(least)),
                 parameters_.normal_margin);
+  w.findFloor(detector, floor);
   w.lookup.take(extraction, w.pieces.planeOf(), extracted_by);
-  const auto floor_plane = floor.status == FloorStatus::kFound ? w.findFloor(detector) : std::nullopt;
-  if (floor_plane) w.lookup.set(*floor_plane, floor.floor.plane);
-  w.fit.fit(points, extraction, w.pieces.planeOf(), floor_plane, w.lookup);
-  w.pieces.removeIf([&](const PlanePieces::Piece& piece) {
-    const auto& [fit, covariance, support] = w.fit[piece.plane];
-    return piece.plane != floor_plane &&
-           (support < parameters_.least_support || fit.normal_sigma > parameters_.largest_normal_sigma ||
-            fit.plane.distance < extracted_by.least_view_angle * fit.centre.norm());
-  });
+  if (w.floor_plane) w.lookup.set(*w.floor_plane, floor.floor.plane);
+  w.fit.fit(points, extraction, w.pieces.planeOf(), w.floor_plane, w.lookup);
+  w.pieces.removeIf(
+      [&](const PlanePieces::Piece& piece) { return !w.isBorneOut(piece.plane, parameters_, extracted_by); });
 
-  const auto kindOf = [&](const PlaneFit::Result& fit) {
-    if (!up) return PlaneKind::kUnknown;
-    const double angle = parameters_.kind_angle + parameters_.kind_sigmas * fit.normal_sigma;
-    const double cosine = std::abs(fit.plane.normal.dot(*up));
-    if (cosine > std::cos(angle)) return PlaneKind::kHorizontal;
-    return cosine < std::sin(angle) ? PlaneKind::kVertical : PlaneKind::kSloped;
-  };
   while (planes.planes.size() < w.pieces.pieces().size()) {
     const std::size_t index = planes.planes.size();
     const PlanePieces::Piece& piece = w.pieces.pieces()[index];
-    SegmentedPlane& plane = planes.planes.emplace_back();
-    plane.sample_count = piece.sample_count;
-    if (piece.plane == floor_plane) {
-      plane.kind = PlaneKind::kFloor;
-      plane.plane = floor.floor.plane;
-      plane.rms_error = floor.floor.rms_error;
-      plane.covariance = floor.floor.covariance;
-    } else {
-      const PixelFit::Fit& fit = w.fit[piece.plane];
-      plane.kind = kindOf(fit.plane);
-      plane.plane = fit.plane.plane;
-      plane.rms_error = fit.plane.rms_error;
-      plane.covariance = fit.covariance;
-    }
+    SegmentedPlane plane = w.describe(piece, floor, up, parameters_);
     plane.first_vertex = static_cast<std::uint32_t>(planes.vertices.size());
     w.boundary.trace(points, grid, w.lookup, w.pieces.cells().data(), piece, plane.plane, planes.vertices);
     plane.vertex_count = static_cast<std::uint32_t>(planes.vertices.size()) - plane.first_vertex;
-    if (hasArea(planes, plane)) continue;
-    planes.vertices.resize(plane.first_vertex);
-    planes.planes.pop_back();
-    w.pieces.remove(index);
+    if (hasArea(planes, plane)) {
+      planes.planes.push_back(plane);
+    } else {
+      planes.vertices.resize(plane.first_vertex);
+      w.pieces.remove(index);
+    }
   }
   w.identities.assign(samples, w.pieces, parameters_.id_angle, planes.planes);
   std::sort(planes.planes.begin(), planes.planes.end(), [](const SegmentedPlane& a, const SegmentedPlane& b) {

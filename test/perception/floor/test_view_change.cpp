@@ -17,32 +17,32 @@ SampleGrid gridOf(const geometry::Plane& plane)
 
 TEST(ViewChange, TheFirstFrameIsNone)
 {
-  EXPECT_FALSE(ViewChange().update(gridOf(test::floorSeenFrom(0.8, 0.5))));
+  EXPECT_FALSE(ViewChange().update(gridOf(test::floorSeenFrom(0.8, 0.5)), {}));
 }
 
 TEST(ViewChange, ACameraThatMovesSteadilySeesNone)
 {
   ViewChange change;
   for (double height = 0.8; height < 1.2; height += 0.05) {
-    EXPECT_FALSE(change.update(gridOf(test::floorSeenFrom(height, 0.5)))) << "at " << height;
+    EXPECT_FALSE(change.update(gridOf(test::floorSeenFrom(height, 0.5)), {})) << "at " << height;
   }
 }
 
 TEST(ViewChange, ACameraThatIsElsewhereAtOnceSeesOne)
 {
   ViewChange change;
-  change.update(gridOf(test::floorSeenFrom(0.8, 0.5)));
-  EXPECT_TRUE(change.update(gridOf(test::floorSeenFrom(1.5, 0.5))));
-  EXPECT_FALSE(change.update(gridOf(test::floorSeenFrom(1.5, 0.5))));
+  change.update(gridOf(test::floorSeenFrom(0.8, 0.5)), {});
+  EXPECT_TRUE(change.update(gridOf(test::floorSeenFrom(1.5, 0.5)), {}));
+  EXPECT_FALSE(change.update(gridOf(test::floorSeenFrom(1.5, 0.5)), {}));
 }
 
 TEST(ViewChange, ACoveredCameraIsNone)
 {
   ViewChange change;
-  change.update(gridOf(test::floorSeenFrom(0.8, 0.5)));
+  change.update(gridOf(test::floorSeenFrom(0.8, 0.5)), {});
   SampleGrid nothing{SampleGrid::Parameters{}};
   nothing.update(test::PlaneScene().view());
-  EXPECT_FALSE(change.update(nothing));
+  EXPECT_FALSE(change.update(nothing, {}));
 }
 
 }  // namespace

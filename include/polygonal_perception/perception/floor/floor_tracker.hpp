@@ -39,12 +39,43 @@ public:
     Eigen::Vector3d initial_up{0.0, -1.0, 0.0};  ///< in the input's frame, any length but 0
     bool up_feedback = true;                     ///< the found normal is the next frame's up vector
     double floor_timeout = 0.5;                  ///< [s] how long a floor is held
+    ViewChange::Parameters view_change;
+
+    /// [m], [m/s] How much the camera's height may differ from frame to frame, and so much more for each second in which
+    /// the floor was not seen: a walking robot bobs by 2 cm.
+    double height_tolerance = 0.06;
+    double vertical_speed = 0.1;
+    /// [s] How long after it was last seen the floor's height still says something about the camera's.
+    double height_memory = 3.0;
+    /// [s] The same for a lower storey: the robot may stand at its edge and look down for a while.
+    double drop_memory = 20.0;
+    /// [m] Level planes beside the floor whose heights differ by less are one.
+    double remembered_offset = 0.1;
+    /// Frames in a row that must have shown the same floor before a lower plane counts as a drop beyond it.
+    double confirmed_after = 5.0;
+    /// [m] A plane nearer than this may as well be a table top that the camera looks over: it never counts as confirmed.
+    /// A robot with a lower camera has max_camera_height to keep it off lower storeys.
+    double least_confirmed_height = 0.38;
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
     {
       visit("floor_timeout", self.floor_timeout, parameters::Range{0.0, 60.0}, "s",
             "How long a floor that is not seen any more is held before it is given up.");
+    }
+
+    /// The rest, which users leave alone: for the ablation.
+    template <class Self, class Visitor>
+    static void describeThresholds(Self& self, Visitor&& visit)
+    {
+      ViewChange::Parameters::describeThresholds(self.view_change, visit);
+      visit("height_tolerance", self.height_tolerance);
+      visit("vertical_speed", self.vertical_speed);
+      visit("height_memory", self.height_memory);
+      visit("drop_memory", self.drop_memory);
+      visit("remembered_offset", self.remembered_offset);
+      visit("confirmed_after", self.confirmed_after);
+      visit("least_confirmed_height", self.least_confirmed_height);
     }
   };
 
@@ -98,7 +129,7 @@ private:
   std::optional<double> found_stamp_;
   std::optional<double> last_stamp_;
   std::array<OtherPlane, 8> others_{};
-  int streak_ = 0;  // frames that showed this floor, as far as it matters
+  double streak_ = 0.0;  // frames that showed this floor, as far as it matters
 };
 
 }  // namespace polygonal_perception::perception

@@ -13,11 +13,27 @@ namespace polygonal_perception::perception {
 class POLYGONAL_PERCEPTION_EXPORT ViewChange
 {
 public:
-  /// @return whether most samples of the frame are at another range than in the last one: more than half of
-  ///         them by more than 15 %. Where fewer than a tenth of the samples can be compared the view counts
-  ///         as the same. In recorded and rendered sequences at 30 Hz at most a third of the samples change
-  ///         so much.
-  bool update(const SampleGrid& grid);
+  struct Parameters
+  {
+    /// A sample whose range has changed by more than this share shows something else.
+    double other_range = 0.15;
+    /// It is another view where more than this share of the samples does: in recorded and rendered sequences at 30 Hz
+    /// at most a third does from frame to frame.
+    double most_changed = 0.5;
+    /// Where fewer than this share of the samples has a range in both frames the view counts as the same.
+    double least_compared = 0.1;
+
+    template <class Self, class Visitor>
+    static void describeThresholds(Self& self, Visitor&& visit)
+    {
+      visit("other_range", self.other_range);
+      visit("most_changed", self.most_changed);
+      visit("least_compared", self.least_compared);
+    }
+  };
+
+  /// @return whether most samples of the frame are at another range than in the last one
+  bool update(const SampleGrid& grid, const Parameters& parameters);
 
   /// Forgets the last frame; the next one is no change.
   void reset() { ranges_.clear(); }
