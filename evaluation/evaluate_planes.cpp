@@ -69,8 +69,15 @@ Row run(const Options& options, const Thresholds& thresholds, const std::string&
         pipeline.process({view, frame.time, {}}, perception::Product::kPlanes);
     checker.add(frame, result.planes);
     if (!options.pictures.empty()) {
-      cv::imwrite(options.pictures + "/" + scene + "_" + trajectory + "_" + std::to_string(k) + ".png",
-                  drawPlanes(pinhole, frame, result.planes));
+      std::string file = options.pictures;
+      file.append("/")
+          .append(scene)
+          .append("_")
+          .append(trajectory)
+          .append("_")
+          .append(std::to_string(k))
+          .append(".png");
+      cv::imwrite(file, drawPlanes(pinhole, frame, result.planes));
     }
     row.planes_ms.push_back(std::chrono::duration<double, std::milli>(result.times.planes).count());
   }

@@ -145,7 +145,8 @@ void PlaneChecker::add(const SimulatedFrame& frame, const perception::SegmentedP
   std::vector<int> pixels(camera_.planes().count() + 1, 0);
   for (const std::uint16_t number : numbers) ++pixels[number];
   std::map<std::uint16_t, std::uint32_t> ids;
-  for (std::uint16_t number = 1; number < pixels.size(); ++number) {
+  for (std::size_t k = 1; k < pixels.size(); ++k) {
+    const auto number = static_cast<std::uint16_t>(k);
     if (pixels[number] < kLargeEnough * static_cast<double>(camera.size())) continue;
     ++counts_.true_ones;
     const True truth{number, pixels[number], numbers == number};
@@ -209,8 +210,9 @@ void PlaneChecker::judgeFit(const SimulatedFrame& frame, const True& truth,
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < camera.size(); ++k) {
     if (truth.mask(static_cast<int>(k)) == 0) continue;
-    const auto u = static_cast<double>(k % camera.width);
-    const auto v = static_cast<double>(k / camera.width);
+    const std::size_t row = k / camera.width;
+    const auto u = static_cast<double>(k - row * camera.width);
+    const auto v = static_cast<double>(row);
     middle +=
         frame.truth.depth[k] * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
   }

@@ -54,7 +54,8 @@ std::optional<Eigen::Vector3f> PieceBoundary::lastPoint(const PointView& points,
                                                         const PlaneLookup& lookup, int plane,
                                                         const Edge& edge)
 {
-  const auto index = static_cast<std::size_t>(edge.y * grid.samplesX() + edge.x);
+  const auto index = static_cast<std::size_t>(edge.y) * static_cast<std::size_t>(grid.samplesX()) +
+                     static_cast<std::size_t>(edge.x);
   const Sample& sample = grid.samples()[index];
   if (!sample.has_point || lookup.planeOf(index, sample.point).plane != plane) return std::nullopt;
   Eigen::Vector3f last = sample.point;

@@ -14,18 +14,18 @@ void PlaneLookup::take(const PlaneExtraction& extraction, const std::vector<int>
   references_.clear();
   for (const ExtractedPlane& plane : extraction.planes()) references_.emplace_back(plane.fit.plane);
 
-  const auto columns = static_cast<int>(extraction.samples().columns);
-  const auto rows = static_cast<int>(plane_of.size()) / columns;
+  const std::size_t columns = extraction.samples().columns;
+  const std::size_t rows = plane_of.size() / columns;
   near_.resize(plane_of.size());
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      Near& near = near_[static_cast<std::size_t>(y * columns + x)];
-      near.own = plane_of[static_cast<std::size_t>(y * columns + x)];
+  for (std::size_t y = 0; y < rows; ++y) {
+    for (std::size_t x = 0; x < columns; ++x) {
+      Near& near = near_[y * columns + x];
+      near.own = plane_of[y * columns + x];
       near.count = 0;
       int last = kNone;  // most often all nine are of one plane
-      for (int at_y = std::max(0, y - 1); at_y <= std::min(rows - 1, y + 1); ++at_y) {
-        for (int at_x = std::max(0, x - 1); at_x <= std::min(columns - 1, x + 1); ++at_x) {
-          const int plane = plane_of[static_cast<std::size_t>(at_y * columns + at_x)];
+      for (std::size_t at_y = y > 0 ? y - 1 : 0; at_y <= std::min(rows - 1, y + 1); ++at_y) {
+        for (std::size_t at_x = x > 0 ? x - 1 : 0; at_x <= std::min(columns - 1, x + 1); ++at_x) {
+          const int plane = plane_of[at_y * columns + at_x];
           if (plane == kNone || plane == last) continue;
           last = plane;
           const auto end = near.planes.begin() + near.count;
