@@ -39,7 +39,8 @@ const Pipeline::Result& Pipeline::process(const Frame& frame, Products products)
   // Section III-A; III-B to III-D
   run(Product::kFloor, &Times::samples, [&] { r.samples.update(frame.points); });
   run(Product::kFloor, &Times::floor, [&] { findFloor(frame); });
-  // III-B, last lines
+  // III-B, last lines. Frames that nobody asked for planes of part those before from those after.
+  if (!r.products.has(Product::kPlanes)) segmentation_.reset();
   run(Product::kPlanes, &Times::planes, [&] { listPlanes(frame); });
   if (r.floor.status == FloorStatus::kNotFound) return r;
 
@@ -89,7 +90,8 @@ void Pipeline::findFloor(const Frame& frame)
 
 void Pipeline::listPlanes(const Frame& frame)
 {
-  std::optional<Eigen::Vector3d> up = frame.up_from_tf;
+  std::optional<Eigen::Vector3d> up;
+  if (frame.up_from_tf) up = frame.up_from_tf->normalized();
   if (result_.floor.status != FloorStatus::kNotFound) up = result_.floor.floor.plane.normal;
   segmentation_.segment(frame.points, result_.samples, tracker_.detector(), result_.floor, up,
                         result_.planes);

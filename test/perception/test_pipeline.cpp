@@ -135,6 +135,24 @@ TEST_F(PipelineTest, GivesTheProductsThatAreAskedFor)
   EXPECT_EQ(result.forward, Eigen::Vector3d::UnitZ());
 }
 
+TEST_F(PipelineTest, APlaneThatNobodyFollowedGetsANewId)
+{
+  const auto floor_id = [](const Pipeline::Result& result) {
+    for (const SegmentedPlane& plane : result.planes.planes) {
+      if (plane.kind == PlaneKind::kFloor) return plane.id;
+    }
+    return 0U;
+  };
+  const std::uint32_t first = floor_id(process(Product::kPlanes));
+  ASSERT_NE(first, 0U) << "the floor is among the planes";
+  EXPECT_EQ(floor_id(process(Product::kPlanes)), first);
+  pipeline_.skip();
+  EXPECT_EQ(floor_id(process(Product::kPlanes)), first) << "a frame that was left out changes nothing";
+  // Whoever reads planes again later knows nothing of what happened meanwhile.
+  process(Product::kPolygons);
+  EXPECT_GT(floor_id(process(Product::kPlanes)), first);
+}
+
 TEST_F(PipelineTest, TakesTheTimeOfTheStagesThatRan)
 {
   const auto ran = [](const StageTimes& times) {

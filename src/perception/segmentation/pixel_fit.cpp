@@ -33,7 +33,9 @@ void PixelFit::addPixels(const PointView& points, const NoisySamples& samples,
                          const std::vector<int>& plane_of, const std::optional<std::size_t>& known,
                          const PlaneLookup& lookup)
 {
-  constexpr std::uint32_t kPerSample = 2;  // pixels that are looked at, each way
+  // Pixels that are looked at, each way: 80 x 80 in place of 64 x 64 found 4 of 978 rendered planes more, and took a third
+  // longer.
+  constexpr std::uint32_t kPerSample = 2;
   const std::uint32_t columns = samples.columns;
   const std::uint32_t rows = samples.size() / columns;
   points_.assign(lookup.size(), PlaneFit{});

@@ -42,7 +42,7 @@ public:
     ViewChange::Parameters view_change;
 
     /// [m], [m/s] How much the camera's height may differ from frame to frame, and so much more for each second in which
-    /// the floor was not seen: a walking robot bobs by 2 cm.
+    /// the floor was not seen.
     double height_tolerance = 0.06;
     double vertical_speed = 0.1;
     /// [s] How long after it was last seen the floor's height still says something about the camera's.

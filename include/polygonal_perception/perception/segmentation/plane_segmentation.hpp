@@ -21,11 +21,11 @@ class POLYGONAL_PERCEPTION_EXPORT PlaneSegmentation
 public:
   struct Parameters
   {
-    /// Pieces of less than this share of the samples are left out: ten of 32 x 32. So few samples lie on one plane by
-    /// chance, on a person's back.
+    /// Pieces of less than this share of the samples are left out: ten of 32 x 32. So few samples may lie on one
+    /// plane by chance.
     double least_share = 0.01;
     /// A sample that lies on two planes, where they cross, is of that whose normal is nearer to its own, if the cosines
-    /// differ by this: as those of a floor and a board of 7 degrees do.
+    /// differ by this: as those of a floor and a board of 8 degrees do.
     double normal_margin = 0.006;
     /// Of the points next to a plane's samples at least this share lies on it: on what is thin and curved few do.
     double least_support = 0.86;
@@ -36,7 +36,8 @@ public:
     double kind_angle = 0.05;
     /// Standard deviations of the normal that are added to that.
     double kind_sigmas = 3.0;
-    /// [rad] By how much the normal of one plane may turn from frame to frame.
+    /// [rad] By how much the normal of one plane may turn from frame to frame: 20 degrees, for a camera that turns and the
+    /// noise of small planes.
     double id_angle = 0.35;
 
     /// Users leave them alone: for the ablation.

@@ -22,7 +22,7 @@ enum class PlaneKind : std::uint8_t
 /// sides of a door, have the same fit and an id each.
 struct SegmentedPlane
 {
-  std::uint32_t id = 0;  ///< kept from frame to frame, and never given to another piece; from 1
+  std::uint32_t id = 0;  ///< kept from frame to frame while pieces overlap in the image; from 1
   PlaneKind kind = PlaneKind::kUnknown;
   geometry::Plane plane;   ///< in the input's frame; the normal is towards the sensor
   double rms_error = 0.0;  ///< [m] of the fitted points
