@@ -1,6 +1,7 @@
 // Holds the planes of rendered frames against those of their scenes, and prints tables in markdown. Run through
 // scripts/evaluate_planes.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include "polygonal_perception/perception/pipeline.hpp"
 #include "reference/error_statistics.hpp"
 #include "reference/plane_checker.hpp"
+#include "reference/recorded_frames.hpp"
 
 namespace polygonal_perception::evaluation {
 namespace {
@@ -24,6 +26,7 @@ struct Options
   int samples = 32;
   std::string scene;
   std::string pictures;  // a folder
+  std::string recorded;  // a frames.json
   bool faults = false;
   bool ablate = false;
 };
@@ -69,15 +72,10 @@ Row run(const Options& options, const Thresholds& thresholds, const std::string&
         pipeline.process({view, frame.time, {}}, perception::Product::kPlanes);
     checker.add(frame, result.planes);
     if (!options.pictures.empty()) {
-      std::string file = options.pictures;
-      file.append("/")
-          .append(scene)
-          .append("_")
-          .append(trajectory)
-          .append("_")
-          .append(std::to_string(k))
-          .append(".png");
-      cv::imwrite(file, drawPlanes(pinhole, frame, result.planes));
+      cv::Mat3b picture = paintTruth(pinhole, frame);
+      drawPlanes(result.planes, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy, picture);
+      cv::imwrite(options.pictures + "/" + scene + "_" + trajectory + "_" + std::to_string(k) + ".png",
+                  picture);
     }
     row.planes_ms.push_back(std::chrono::duration<double, std::milli>(result.times.planes).count());
   }
@@ -144,6 +142,22 @@ std::string outcome(const Options& options, const Thresholds& thresholds)
   return text;
 }
 
+/// Nobody knows the planes of recorded frames: their pictures are to be looked at.
+void drawRecorded(const Options& options)
+{
+  for (const reference::RecordedFrame& recorded : reference::listRecordedFrames(options.recorded)) {
+    const reference::LoadedFrame frame = reference::load(recorded);
+    perception::Pipeline pipeline({});
+    const perception::Pipeline::Result& result =
+        pipeline.process({frame.view(), 0.0, {}}, perception::Product::kPlanes);
+    cv::Mat3b picture = paintDepth(frame.depth);
+    drawPlanes(result.planes, recorded.fx, recorded.fy, recorded.cx, recorded.cy, picture);
+    std::string name = recorded.name;
+    std::replace(name.begin(), name.end(), '/', '_');
+    cv::imwrite(options.pictures + "/" + name + ".png", picture);
+  }
+}
+
 /// What each threshold is worth: everything again with it off, at 0.7 and at 1.4 times its value.
 void ablate(const Options& options)
 {
@@ -184,13 +198,15 @@ bool parse(int argc, char** argv, Options& options)
       options.samples = std::atoi(value);
     } else if (argument == "--pictures") {
       options.pictures = value;
+    } else if (argument == "--recorded") {
+      options.recorded = value;
     } else if (argument == "--scene") {
       options.scene = value;
     } else {
       return false;
     }
   }
-  return options.frames > 0 && options.samples > 1;
+  return options.frames > 0 && options.samples > 1 && (options.recorded.empty() || !options.pictures.empty());
 }
 
 }  // namespace
@@ -201,15 +217,20 @@ int main(int argc, char** argv)
   using namespace polygonal_perception::evaluation;
   Options options;
   if (!parse(argc, argv, options)) {
-    std::cerr << "usage: evaluate_planes [--frames N] [--seed N] [--samples N] [--scene NAME] [--pictures "
-                 "DIR] [--faults] [--ablate]\n"
+    std::cerr << "usage: evaluate_planes [--frames N] [--seed N] [--samples N] [--scene NAME] [--faults] "
+                 "[--ablate]\n                       [--pictures DIR [--recorded FRAMES.json]]\n"
                  "  --frames    of each scene and trajectory (12)\n"
                  "  --samples   across and down the image (32)\n"
                  "  --pictures  draws each frame into the folder\n"
+                 "  --recorded  draws recorded frames instead, in the form that README.md describes\n"
                  "  --faults    prints what was wrong, a line each\n"
                  "  --ablate    prints what each threshold is worth instead\n";
     return 2;
   }
-  options.ablate ? ablate(options) : evaluate(options);
+  if (!options.recorded.empty()) {
+    drawRecorded(options);
+  } else {
+    options.ablate ? ablate(options) : evaluate(options);
+  }
   return 0;
 }

@@ -24,10 +24,8 @@ cv::Scalar colour(std::uint32_t number, double saturation, double value)
 
 }  // namespace
 
-cv::Mat3b drawPlanes(const simulation::PinholeCamera& camera, const simulation::SimulatedFrame& frame,
-                     const perception::SegmentedPlanes& planes)
+cv::Mat3b paintTruth(const simulation::PinholeCamera& camera, const simulation::SimulatedFrame& frame)
 {
-  constexpr const char* kKinds = "?FHVS";
   cv::Mat3b picture(static_cast<int>(camera.height), static_cast<int>(camera.width), cv::Vec3b(0, 0, 0));
   for (std::size_t k = 0; k < camera.size(); ++k) {
     const std::uint16_t number = frame.truth.plane[k];
@@ -36,12 +34,31 @@ cv::Mat3b drawPlanes(const simulation::PinholeCamera& camera, const simulation::
     picture(static_cast<int>(k)) =
         cv::Vec3b(static_cast<uchar>(muted[0]), static_cast<uchar>(muted[1]), static_cast<uchar>(muted[2]));
   }
+  return picture;
+}
+
+cv::Mat3b paintDepth(const cv::Mat1f& depth)
+{
+  cv::Mat3b picture(depth.size(), cv::Vec3b(0, 0, 0));
+  for (int v = 0; v < depth.rows; ++v) {
+    for (int u = 0; u < depth.cols; ++u) {
+      const auto grey = static_cast<uchar>(150.0F / (1.0F + depth(v, u)));
+      if (depth(v, u) > 0.0F) picture(v, u) = cv::Vec3b(grey, grey, grey);
+    }
+  }
+  return picture;
+}
+
+void drawPlanes(const perception::SegmentedPlanes& planes, double fx, double fy, double cx, double cy,
+                cv::Mat3b& picture)
+{
+  constexpr const char* kKinds = "?FHVS";
   for (const perception::SegmentedPlane& plane : planes.planes) {
     std::vector<cv::Point> ring;
     cv::Point2d middle(0.0, 0.0);
     for (std::uint32_t k = 0; k < plane.vertex_count; ++k) {
       const Eigen::Vector3f& p = planes.vertices[plane.first_vertex + k];
-      const cv::Point2d pixel(camera.cx + camera.fx * p.x() / p.z(), camera.cy + camera.fy * p.y() / p.z());
+      const cv::Point2d pixel(cx + fx * p.x() / p.z(), cy + fy * p.y() / p.z());
       ring.emplace_back(pixel);
       middle += pixel / static_cast<double>(plane.vertex_count);
     }
@@ -50,7 +67,6 @@ cv::Mat3b drawPlanes(const simulation::PinholeCamera& camera, const simulation::
     cv::putText(picture, std::to_string(plane.id) + kKinds[static_cast<std::size_t>(plane.kind)], middle,
                 cv::FONT_HERSHEY_SIMPLEX, 0.6, bright, 2, cv::LINE_AA);
   }
-  return picture;
 }
 
 }  // namespace polygonal_perception::evaluation

@@ -56,6 +56,7 @@ struct PlaneChecker::Found
   std::uint16_t number = ScenePlanes::kNone;   // of the true plane that it is of
   std::uint16_t nearest = ScenePlanes::kNone;  // of that which fills most of it
   double share = 0.0;                          // how much
+  std::uint16_t second = ScenePlanes::kNone;   // of that which fills most of the rest
 };
 
 void PlaneCounts::add(const PlaneCounts& other)
@@ -122,12 +123,15 @@ PlaneChecker::Found PlaneChecker::look(const SimulatedFrame& frame, const percep
       ++pixels[frame.truth.plane[k]];
     }
   }
-  for (const auto& [number, count] : pixels) {
-    const double share = static_cast<double>(count) / uncovered;
-    if (number == ScenePlanes::kNone || share <= found.share) continue;
-    found.nearest = number;
-    found.share = share;
+  pixels.erase(ScenePlanes::kNone);
+  std::vector<std::pair<int, std::uint16_t>> by_count;
+  for (const auto& [number, count] : pixels) by_count.emplace_back(count, number);
+  std::sort(by_count.rbegin(), by_count.rend());
+  if (!by_count.empty()) {
+    found.nearest = by_count[0].second;
+    found.share = static_cast<double>(by_count[0].first) / uncovered;
   }
+  if (by_count.size() > 1) found.second = by_count[1].second;
   if (found.share >= kOverlap) found.number = found.nearest;
   return found;
 }
@@ -184,10 +188,32 @@ std::map<std::uint16_t, std::vector<PlaneChecker::Found>> PlaneChecker::findOwne
                   found.nearest == ScenePlanes::kNone
                       ? 180.0
                       : normalError(plane.plane, truePlane(frame, found.nearest)),
-                  plane.sample_count, double{planes.vertices[plane.first_vertex].z()}, degreesKnown(plane)));
+                  plane.sample_count, double{planes.vertices[plane.first_vertex].z()}, degreesKnown(plane)) +
+                besides(frame, planes, found));
     }
   }
   return found_on;
+}
+
+/// What an invented plane lies on besides, if that is parallel: the step, in standard deviations of the depth there.
+std::string PlaneChecker::besides(const SimulatedFrame& frame, const perception::SegmentedPlanes& planes,
+                                  const Found& found) const
+{
+  if (found.second == ScenePlanes::kNone) return "";
+  const geometry::Plane nearest = truePlane(frame, found.nearest);
+  const geometry::Plane second = truePlane(frame, found.second);
+  if (normalError(nearest, second) > kDegrees) return "";
+  const Eigen::Vector3d point = planes.vertices[found.plane->first_vertex].cast<double>();
+  const double step = std::abs(nearest.height(point) - second.height(point));
+  return print(", the rest on plane %d, %.0f mm or %.1f sigma beside it", int{found.second}, 1000.0 * step,
+               step / sigmaAt(point.z()));
+}
+
+/// [m] Standard deviation of the depth.
+double PlaneChecker::sigmaAt(double depth) const
+{
+  const simulation::DepthNoise::Parameters& noise = camera_.options().noise;
+  return noise.sigma_base + noise.sigma_quadratic * std::pow(depth - noise.sigma_onset, 2);
 }
 
 bool PlaneChecker::isCovered(const SimulatedFrame& frame, const True& truth, const std::vector<Found>& found)
@@ -221,10 +247,9 @@ void PlaneChecker::judgeFit(const SimulatedFrame& frame, const True& truth,
   const double millimetres = 1000.0 * std::abs(plane.plane.height(middle));
   counts_.degrees.push_back(degrees);
   counts_.millimetres.push_back(millimetres);
-  const simulation::DepthNoise::Parameters& noise = camera_.options().noise;
-  const double sigma = noise.sigma_base + noise.sigma_quadratic * std::pow(middle.z() - 0.4, 2);
   // Of 3 % of the image there are thirty samples.
-  if (degrees <= kDegrees && millimetres <= kMillimetres + 1000.0 * 3.0 * sigma / std::sqrt(30.0)) {
+  if (degrees <= kDegrees &&
+      millimetres <= kMillimetres + 1000.0 * 3.0 * sigmaAt(middle.z()) / std::sqrt(30.0)) {
     ++counts_.found;
     return;
   }

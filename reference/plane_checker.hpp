@@ -52,6 +52,9 @@ private:
              const perception::SegmentedPlane& plane) const;
   std::map<std::uint16_t, std::vector<Found>> findOwners(const simulation::SimulatedFrame& frame,
                                                          const perception::SegmentedPlanes& planes);
+  std::string besides(const simulation::SimulatedFrame& frame, const perception::SegmentedPlanes& planes,
+                      const Found& found) const;
+  double sigmaAt(double depth) const;
   bool isCovered(const simulation::SimulatedFrame& frame, const True& truth, const std::vector<Found>& found);
   void judgeFit(const simulation::SimulatedFrame& frame, const True& truth,
                 const perception::SegmentedPlane& plane);

@@ -69,7 +69,7 @@ protected:
           << frame.name << " shows no floor, one was found at " << state.floor.plane.distance << " m";
     } else if (kBent.count(frame.name) != 0) {
       ASSERT_EQ(state.status, perception::FloorStatus::kFound) << frame.name;
-      EXPECT_GT(found_.on, 1.1 * reference_.on) << frame.name;
+      EXPECT_GT(found_.on, reference_.on) << frame.name;
       EXPECT_LT(found_.under, 0.1 * reference_.under) << frame.name;
     } else if (state.status == perception::FloorStatus::kFound && kHard.count(frame.name) == 0) {
       EXPECT_FALSE(reference::isWrong(state.floor.plane, *frame.floor))

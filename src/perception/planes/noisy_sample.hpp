@@ -27,11 +27,12 @@ struct NoisySample
   bool ends_row = false;
 
   /// Variance of its distance from a plane [m^2].
-  /// @param along  [m] normal . point, for a unit normal
-  float variance(float along) const
+  /// @param along        [m] normal . point, for a unit normal
+  /// @param model_share  of the model's error that comes into question
+  float variance(float along, float model_share = 1.0F) const
   {
     const float noise = relative_noise * along;
-    return noise * noise + model_variance;
+    return noise * noise + model_share * model_share * model_variance;
   }
 };
 
@@ -47,11 +48,11 @@ struct ReferencePlane
   float height(const Eigen::Vector3f& point) const { return normal.dot(point) + distance; }
 
   /// The square of a sample's distance in standard deviations.
-  float deviation(const NoisySample& sample) const
+  float deviation(const NoisySample& sample, float model_share = 1.0F) const
   {
     const float along = normal.dot(sample.point);
     const float height = along + distance;
-    return height * height / sample.variance(along);
+    return height * height / sample.variance(along, model_share);
   }
 
   Eigen::Vector3f normal;

@@ -8,7 +8,8 @@ void PlaneExtraction::extract(const SampleGrid& grid, const PlaneExtractionParam
   parameters_ = parameters;
   samples_.take(grid, parameters);
   growing_.grow(samples_, parameters, segments_);
-  joining_.join(parameters, segments_);
+  contacts_.find(samples_, segments_);
+  joining_.join(parameters, contacts_, segments_);
   if (known && !SegmentJoining::has(segments_, *known, parameters)) {
     segments_.all.emplace_back();
     segments_.all.back().fit.plane = *known;

@@ -47,6 +47,7 @@ private:
 
   PlaneExtractionParameters parameters_;  // of the last frame
   RegionGrowing growing_;
+  SegmentContacts contacts_;
   SegmentJoining joining_;
   NoisySamples samples_;
   PlaneSegments segments_;

@@ -8,8 +8,6 @@ namespace polygonal_perception::perception {
 
 namespace {
 
-/// Neighbouring pixels of a depth image err together: of this many points one counts as independent.
-constexpr double kPointsPerIndependent = 4.0;
 /// And some of their error is that of all of them: quantisation, a lens, what lies on the floor and nobody tells from
 /// it. This share of their distances from the plane does not average out, however many points there are. Without it
 /// one floor of fifty would be out of its three standard deviations (doc/floor.md).

@@ -13,6 +13,9 @@ namespace polygonal_perception::perception {
 class PlaneFit
 {
 public:
+  /// Neighbouring pixels of a depth image err together: of this many points one counts as independent.
+  static constexpr double kPointsPerIndependent = 4.0;
+
   struct Result
   {
     geometry::Plane plane;

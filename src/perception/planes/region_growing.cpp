@@ -22,7 +22,7 @@ struct Growth
     if (!(sample.normal.dot(plane.normal) > static_cast<float>(parameters.normal_cosine))) return false;
     if (!is_fitted) return true;
     const auto sigmas = static_cast<float>(parameters.growing_sigmas);
-    return plane.deviation(sample) < sigmas * sigmas;
+    return plane.deviation(sample, static_cast<float>(parameters.fitting_model_share)) < sigmas * sigmas;
   }
 };
 

@@ -20,18 +20,26 @@ bool isOn(const PlaneFit::Result& plane, const PlaneFit::Result& piece,
                                                           parameters.joining_offset_slope * apart;
 }
 
+/// @param contact  where they touch, if they do
 bool areCoplanar(const PlaneFit::Result& a, const PlaneFit::Result& b,
-                 const PlaneExtractionParameters& parameters)
+                 const std::optional<Eigen::Vector3d>& contact, const PlaneExtractionParameters& parameters)
 {
   const double angle = geometry::angleBetween(a.plane.normal, b.plane.normal);
-  return angle < parameters.joining_sigmas * std::hypot(a.normal_sigma, b.normal_sigma) +
-                     parameters.joining_angle &&
-         isOn(a, b, parameters) && isOn(b, a, parameters);
+  if (angle >=
+      parameters.joining_sigmas * std::hypot(a.normal_sigma, b.normal_sigma) + parameters.joining_angle)
+    return false;
+  // What a lens bends goes on from one piece to the next, however far apart their middles are: where they touch, the two
+  // planes are off by a model's error each. Over a step they are not.
+  const bool goes_on =
+      contact && std::abs(a.plane.height(*contact) - b.plane.height(*contact)) <
+                     2.0 * (parameters.model_error + parameters.model_error_slope * contact->norm());
+  return goes_on || (isOn(a, b, parameters) && isOn(b, a, parameters));
 }
 
 }  // namespace
 
-void SegmentJoining::join(const PlaneExtractionParameters& parameters, PlaneSegments& segments)
+void SegmentJoining::join(const PlaneExtractionParameters& parameters, SegmentContacts& contacts,
+                          PlaneSegments& segments)
 {
   by_size_.resize(segments.all.size());
   into_.resize(segments.all.size());
@@ -42,11 +50,13 @@ void SegmentJoining::join(const PlaneExtractionParameters& parameters, PlaneSegm
   for (auto piece = by_size_.begin(); piece != by_size_.end(); ++piece) {
     const auto larger = std::find_if(by_size_.begin(), piece, [&](std::size_t other) {
       return into_[other] == static_cast<int>(other) &&
-             areCoplanar(segments.all[other].fit, segments.all[*piece].fit, parameters);
+             areCoplanar(segments.all[other].fit, segments.all[*piece].fit, contacts.middle(other, *piece),
+                         parameters);
     });
     into_[*piece] = static_cast<int>(*larger);  // itself, where it finds none before it
     if (larger == piece) continue;
     PlaneSegment& whole = segments.all[*larger];
+    contacts.join(*piece, *larger);
     whole.points.add(segments.all[*piece].points);
     if (const auto fit = whole.points.solve(whole.fit.plane.normal)) whole.fit = *fit;
   }
@@ -58,7 +68,7 @@ bool SegmentJoining::has(const PlaneSegments& segments, const geometry::Plane& p
 {
   return std::any_of(segments.all.begin(), segments.all.end(), [&](const PlaneSegment& segment) {
     const PlaneFit::Result known{plane, segment.fit.centre, 0.0, 0.0};
-    return areCoplanar(segment.fit, known, parameters);
+    return areCoplanar(segment.fit, known, std::nullopt, parameters);
   });
 }
 

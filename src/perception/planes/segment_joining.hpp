@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "perception/planes/plane_segment.hpp"
+#include "perception/planes/segment_contacts.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -14,7 +15,7 @@ class SegmentJoining
 public:
   /// Joins the pieces of a frame. They need not touch: a floor on both sides of a chair's leg. Two parallel planes a step
   /// apart stay two, however small the step, as long as both are known better than it is high.
-  void join(const PlaneExtractionParameters& parameters, PlaneSegments& segments);
+  void join(const PlaneExtractionParameters& parameters, SegmentContacts& contacts, PlaneSegments& segments);
 
   /// Whether a plane is one of the segments' already.
   static bool has(const PlaneSegments& segments, const geometry::Plane& plane,

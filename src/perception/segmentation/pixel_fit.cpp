@@ -16,16 +16,37 @@ std::uint32_t nearestSample(std::uint32_t pixel, std::uint32_t samples, std::uin
 
 void PixelFit::fit(const PointView& points, const PlaneExtraction& extraction,
                    const std::vector<int>& plane_of, const std::optional<std::size_t>& known,
-                   PlaneLookup& lookup)
+                   std::uint32_t bending, PlaneLookup& lookup)
 {
+  takePlanes(extraction, plane_of, bending);
   addPixels(points, extraction.samples(), plane_of, known, lookup);
   fits_.clear();
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const PlaneFit::Result& rough = extraction.planes()[p].fit;
     const auto fit = points_[p].solve(rough.plane.normal);
     fits_.push_back({fit.value_or(rough), fit ? points_[p].covariance(*fit) : Eigen::Matrix4d::Zero(),
-                     fit ? static_cast<double>(on_[p]) / std::max(1U, looked_at_[p]) : 0.0});
+                     fit ? static_cast<double>(on_[p]) / std::max(1U, looked_at_[p]) : 0.0,
+                     bends_[p] ? bends_[p]->solve() : CurvatureFit::Result{}});
     if (p != known) lookup.set(p, fits_.back().plane.plane);
+  }
+}
+
+void PixelFit::takePlanes(const PlaneExtraction& extraction, const std::vector<int>& plane_of,
+                          std::uint32_t bending)
+{
+  const std::size_t count = extraction.planes().size();
+  samples_.assign(count, 0);
+  for (const int plane : plane_of) {
+    if (plane != PlaneSegments::kNone) ++samples_[static_cast<std::size_t>(plane)];
+  }
+  points_.assign(count, PlaneFit{});
+  looked_at_.assign(count, 0);
+  on_.assign(count, 0);
+  bends_.clear();
+  for (std::size_t p = 0; p < count; ++p) {
+    const PlaneFit::Result& rough = extraction.planes()[p].fit;
+    bends_.emplace_back();
+    if (samples_[p] <= bending) bends_.back().emplace(rough.plane, rough.centre);
   }
 }
 
@@ -38,10 +59,6 @@ void PixelFit::addPixels(const PointView& points, const NoisySamples& samples,
   constexpr std::uint32_t kPerSample = 2;
   const std::uint32_t columns = samples.columns;
   const std::uint32_t rows = samples.size() / columns;
-  points_.assign(lookup.size(), PlaneFit{});
-  looked_at_.assign(lookup.size(), 0);
-  on_.assign(lookup.size(), 0);
-
   const std::uint32_t step_u = std::max(1U, points.width() / (kPerSample * columns));
   const std::uint32_t step_v = std::max(1U, points.height() / (kPerSample * rows));
   std::uint32_t row = rows;
@@ -65,9 +82,11 @@ void PixelFit::addPixels(const PointView& points, const NoisySamples& samples,
         ++looked_at_[static_cast<std::size_t>(expected)];
         on_[static_cast<std::size_t>(expected)] += answer.is_on_own ? 1 : 0;
       }
-      if (answer.plane == PlaneLookup::kNone) continue;
-      points_[static_cast<std::size_t>(answer.plane)].add(point.x(), point.y(), point.z(),
-                                                          1.0F / answer.variance);
+      if (!answer.is_close) continue;
+      const auto plane = static_cast<std::size_t>(answer.plane);
+      const float weight = 1.0F / answer.variance;
+      points_[plane].add(point.x(), point.y(), point.z(), weight);
+      if (bends_[plane]) bends_[plane]->add(point, weight);
     }
   }
 }

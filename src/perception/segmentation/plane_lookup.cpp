@@ -10,6 +10,7 @@ void PlaneLookup::take(const PlaneExtraction& extraction, const std::vector<int>
   noise_ = parameters.noise;
   error_ = static_cast<float>(parameters.model_error);
   slope_ = static_cast<float>(parameters.model_error_slope);
+  fitting_share_ = static_cast<float>(parameters.fitting_model_share);
   squared_sigmas_ = static_cast<float>(parameters.inlier_sigmas * parameters.inlier_sigmas);
   references_.clear();
   for (const ExtractedPlane& plane : extraction.planes()) references_.emplace_back(plane.fit.plane);

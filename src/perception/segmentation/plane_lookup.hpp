@@ -36,6 +36,7 @@ public:
   {
     int plane = kNone;
     float variance = 0.0F;   ///< [m^2] of the point's distance from it
+    bool is_close = false;   ///< whether it is near enough to be fitted
     bool is_on_own = false;  ///< whether it lies on the sample's plane, be it nearer to another or not
   };
 
@@ -61,6 +62,8 @@ public:
       // Written so that NaN lies on none.
       if (!(deviation < least)) continue;
       least = deviation;
+      answer.is_close = height * height <
+                        squared_sigmas_ * (noise * noise + fitting_share_ * fitting_share_ * model * model);
       answer.plane = plane;
       answer.variance = variance;
     }
@@ -78,7 +81,8 @@ private:
 
   SensorNoise noise_;
   float squared_sigmas_ = 0.0F;
-  float error_ = 0.0F;  // [m], [m/m] what the noise does not hold
+  float fitting_share_ = 0.0F;  // of the model's error
+  float error_ = 0.0F;          // [m], [m/m] what the noise does not hold
   float slope_ = 0.0F;
   std::vector<ReferencePlane> references_;
   std::vector<Near> near_;

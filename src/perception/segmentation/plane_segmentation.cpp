@@ -84,8 +84,10 @@ bool PlaneSegmentation::Workspace::isBorneOut(std::size_t plane, const Parameter
                                               const PlaneExtractionParameters& extracted_by) const
 {
   const PlaneFit::Result& result = fit[plane].plane;
+  const CurvatureFit::Result& bend = fit[plane].bend;
   return plane == floor_plane ||
          (fit[plane].support >= parameters.least_support &&
+          bend.curvature - parameters.curvature_sigmas * bend.sigma <= parameters.largest_curvature &&
           result.normal_sigma <= parameters.largest_normal_sigma &&
           result.plane.distance >= extracted_by.least_view_angle * result.centre.norm());
 }
@@ -104,7 +106,7 @@ SegmentedPlane PlaneSegmentation::Workspace::describe(const PlanePieces::Piece& 
     plane.rms_error = floor.floor.rms_error;
     plane.covariance = floor.floor.covariance;
   } else {
-    const auto& [result, covariance, support] = fit[piece.plane];
+    const auto& [result, covariance, support, bend] = fit[piece.plane];
     plane.kind = kindOf(result, up, parameters);
     plane.plane = result.plane;
     plane.rms_error = result.rms_error;
@@ -129,7 +131,8 @@ void PlaneSegmentation::segment(const PointView& points, const SampleGrid& grid,
   w.findFloor(detector, floor);
   w.lookup.take(extraction, w.pieces.planeOf(), extracted_by);
   if (w.floor_plane) w.lookup.set(*w.floor_plane, floor.floor.plane);
-  w.fit.fit(points, extraction, w.pieces.planeOf(), w.floor_plane, w.lookup);
+  w.fit.fit(points, extraction, w.pieces.planeOf(), w.floor_plane,
+            static_cast<std::uint32_t>(parameters_.bending_share * samples.size()), w.lookup);
   w.pieces.removeIf(
       [&](const PlanePieces::Piece& piece) { return !w.isBorneOut(piece.plane, parameters_, extracted_by); });
 

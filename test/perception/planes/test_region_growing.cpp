@@ -109,6 +109,16 @@ TEST(RegionGrowing, AStepOf3CentimetresParts)
   EXPECT_GT(sizes[1], 400U);
 }
 
+TEST(RegionGrowing, ASkirtingBoardsStepOf15MillimetresParts)
+{
+  // Within the model's error, which a lens may bend a plane by, but not from a sample to the next.
+  const Grown grown(steppedWall(1.0, 0.015, 0.0019));
+  const auto sizes = grown.sizes();
+  ASSERT_GE(sizes.size(), 2U) << "two halves";
+  EXPECT_GT(sizes[0], 400U);
+  EXPECT_GT(sizes[1], 400U);
+}
+
 TEST(RegionGrowing, NoSegmentLiesOnBothSidesOfAStepThatNeighboursCannotTell)
 {
   // 2 m away two neighbours err by 6 mm each, and 3 cm between them may be noise. What has grown so far knows

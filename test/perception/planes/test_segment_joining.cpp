@@ -49,7 +49,8 @@ PlaneSegments afterJoining(std::vector<PlaneSegment> pieces, const PlaneExtracti
   for (std::size_t k = 0; k < pieces.size(); ++k) segments.of_sample.push_back(static_cast<int>(k));
   segments.of_sample.push_back(PlaneSegments::kNone);
   segments.all = std::move(pieces);
-  SegmentJoining().join(parameters, segments);
+  SegmentContacts contacts;  // no piece touches another
+  SegmentJoining().join(parameters, contacts, segments);
   return segments;
 }
 
@@ -81,6 +82,40 @@ TEST(SegmentJoining, AStepOf4MillimetresIsWhatALensBends)
 {
   EXPECT_EQ(afterJoining({piece(kFloor, -0.3, 1.5), piece(test::raised(kFloor, 0.004), 0.3, 1.5)}).all.size(),
             1U);
+}
+
+/// Two pieces that touch, in the middle between them.
+std::size_t countAfterTouching(const PlaneSegment& a, const PlaneSegment& b)
+{
+  PlaneSegments segments;
+  segments.all = {a, b};
+  segments.of_sample = {0, 1};
+  NoisySamples samples;
+  samples.columns = 2;
+  samples.all.resize(2);
+  samples.all[0].point = samples.all[1].point = (0.5 * (a.fit.centre + b.fit.centre)).cast<float>();
+  samples.all[1].ends_row = true;
+  SegmentContacts contacts;
+  contacts.find(samples, segments);
+  SegmentJoining().join({}, contacts, segments);
+  return segments.all.size();
+}
+
+TEST(SegmentJoining, PiecesThatALensBendsAreOneWhereTheyTouch)
+{
+  // A real floor, 1 m away: two degrees to either side. At the middle of one the other is 8 mm off.
+  const geometry::Plane bent = turned(kFloor, 1.0 * kDegree, 0.25);
+  const PlaneSegment a = piece(kFloor, 0.0, 1.0, 0.5, 0.0005);
+  const PlaneSegment b = piece(bent, 0.73, 1.0, 0.5, 0.0005);
+  EXPECT_EQ(afterJoining({a, b}).all.size(), 2U) << "if they did not touch";
+  EXPECT_EQ(countAfterTouching(a, b), 1U);
+}
+
+TEST(SegmentJoining, PiecesThatTouchAStepApartStayTwo)
+{
+  const PlaneSegment a = piece(kFloor, 0.0, 1.0, 0.5, 0.0005);
+  const PlaneSegment b = piece({kFloor.normal, kFloor.distance - 0.012}, 0.5, 1.0, 0.5, 0.0005);
+  EXPECT_EQ(countAfterTouching(a, b), 2U) << "12 mm";
 }
 
 TEST(SegmentJoining, AnAngleOf8DegreesStaysTwo)

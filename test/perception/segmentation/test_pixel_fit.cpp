@@ -24,7 +24,7 @@ struct FittedScene : ExtractedScene
   explicit FittedScene(const test::PlaneScene& scene, const std::optional<std::size_t>& known = {})
       : ExtractedScene(scene)
   {
-    fit.fit(scene.view(), extraction, pieces.planeOf(), known, lookup);
+    fit.fit(scene.view(), extraction, pieces.planeOf(), known, 1024, lookup);
   }
 
   /// The plane of a sample.
@@ -108,7 +108,7 @@ TEST(PixelFit, TheLookupKnowsThePlanesByTheirPixelsAfterIt)
   // Somebody says that the wall is 1 cm farther; its pixels tell better.
   seen.lookup.set(0, wallAt(1.01));
   ASSERT_EQ(answers(0.99F), PlaneLookup::kNone);
-  seen.fit.fit(scene.view(), seen.extraction, seen.pieces.planeOf(), {}, seen.lookup);
+  seen.fit.fit(scene.view(), seen.extraction, seen.pieces.planeOf(), {}, 1024, seen.lookup);
   EXPECT_EQ(answers(0.99F), 0);
   EXPECT_NEAR(seen.fit[0].plane.plane.distance, 1.0, 1e-5);
 }
@@ -119,7 +119,7 @@ TEST(PixelFit, AKnownPlaneStaysWhatItIs)
   scene.add(wallAt(1.0));
   FittedScene seen(scene);
   seen.lookup.set(0, wallAt(1.01));
-  seen.fit.fit(scene.view(), seen.extraction, seen.pieces.planeOf(), std::size_t{0}, seen.lookup);
+  seen.fit.fit(scene.view(), seen.extraction, seen.pieces.planeOf(), std::size_t{0}, 1024, seen.lookup);
   const auto answers = [&](float z) {
     return seen.lookup.planeOf(seen.sampleAt(16, 16), Eigen::Vector3f(0.0F, 0.0F, z)).plane;
   };
@@ -183,6 +183,41 @@ TEST(PixelFit, ThePixelsOfAThinPoleDoNotLieOnThePlanesOfItsSamples)
   EXPECT_LT(seen.fit[pole].support, 0.7);
 }
 
+TEST(PixelFit, APlaneAStepBesideDoesNotPull)
+{
+  // 8 mm beside the wall is within the model's error, 1 m away, but no noise.
+  test::PlaneScene scene;
+  scene.add(wallAt(1.0));
+  const std::vector<float> wall = scene.depth();
+  for (std::size_t k = 0; k < wall.size(); k += 2) {
+    if (k / 160 % 4 == 0) scene.depth()[k] = 1.008F;
+  }
+  const FittedScene seen(scene);
+  ASSERT_GE(seen.extraction.planes().size(), 1U);
+  EXPECT_NEAR(seen.fit[0].plane.plane.distance, 1.0, 5e-4);
+}
+
+TEST(PixelFit, AWallDoesNotBendAndAPoleDoes)
+{
+  test::PlaneScene wall;
+  wall.add(wallAt(1.0));
+  EXPECT_LT(FittedScene(wall).fit[0].bend.curvature, 0.05);
+  test::PlaneScene pole = test::poleAt(0.8, 0.06);
+  const FittedScene seen(pole);
+  ASSERT_GE(seen.extraction.planes().size(), 1U);
+  for (std::size_t k = 0; k < seen.extraction.planes().size(); ++k)
+    EXPECT_GT(seen.fit[k].bend.curvature, 2.0) << "plane " << k;
+}
+
+TEST(PixelFit, LargePlanesAreNotLookedAtForCurvature)
+{
+  const test::PlaneScene pole = test::poleAt(0.8, 0.06);
+  FittedScene seen(pole);
+  ASSERT_GE(seen.extraction.planes().size(), 1U);
+  seen.fit.fit(pole.view(), seen.extraction, seen.pieces.planeOf(), {}, 5, seen.lookup);
+  EXPECT_EQ(seen.fit[0].bend.curvature, 0.0) << "of more than five samples";
+}
+
 TEST(PixelFit, AnImageSmallerThanTheGridIsFitted)
 {
   test::PlaneScene scene(20, 15, 18.0);
@@ -200,7 +235,7 @@ TEST(PixelFit, OfNoPlanesThereIsNoFit)
   FittedScene seen(scene);
   const ExtractedScene empty{test::PlaneScene()};
   seen.lookup.take(empty.extraction, empty.pieces.planeOf(), empty.parameters);
-  seen.fit.fit(test::PlaneScene().view(), empty.extraction, empty.pieces.planeOf(), {}, seen.lookup);
+  seen.fit.fit(test::PlaneScene().view(), empty.extraction, empty.pieces.planeOf(), {}, 1024, seen.lookup);
   EXPECT_EQ(seen.lookup.size(), 0U);
 }
 

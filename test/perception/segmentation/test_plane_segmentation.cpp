@@ -233,7 +233,9 @@ TEST(PlaneSegmentation, OtherParametersKeepTheIds)
 
 TEST(PlaneSegmentation, WhatThePixelsDoNotHoldOutIsLeftOut)
 {
-  PlaneSegmentation::Parameters all;
+  PlaneSegmentation::Parameters with;
+  with.largest_curvature = 1e9;
+  PlaneSegmentation::Parameters all = with;
   all.least_support = 0.0;
   PlaneScene scene = test::poleAt(1.5, 0.03);
   scene.add(wallAt(2.5));
@@ -243,7 +245,21 @@ TEST(PlaneSegmentation, WhatThePixelsDoNotHoldOutIsLeftOut)
     return distance;
   };
   EXPECT_LT(nearest(Stage(all).see(scene)), 1.6) << "samples alone take the pole for a plane";
-  EXPECT_NEAR(nearest(Stage().see(scene)), 2.5, 0.01) << "the wall behind the pole";
+  EXPECT_NEAR(nearest(Stage(with).see(scene)), 2.5, 0.01) << "the wall behind the pole";
+}
+
+TEST(PlaneSegmentation, ALegIsNoPlaneHoweverManyPixelsLieOnIt)
+{
+  PlaneSegmentation::Parameters all;
+  all.largest_curvature = 1e9;
+  PlaneScene scene = test::poleAt(0.8, 0.06);
+  scene.add(wallAt(2.5));
+  const auto near = [](const std::vector<SegmentedPlane>& planes) {
+    return std::count_if(planes.begin(), planes.end(),
+                         [](const SegmentedPlane& plane) { return plane.plane.distance < 1.0; });
+  };
+  EXPECT_GE(near(Stage(all).see(scene)), 1) << "the front of the leg, if curvature is allowed";
+  EXPECT_EQ(near(Stage().see(scene)), 0);
 }
 
 TEST(PlaneSegmentation, APlaneWhoseNormalIsUncertainIsLeftOut)

@@ -20,6 +20,10 @@ struct PlaneExtractionParameters
   double normal_cosine = 0.9;
   /// A plane grows by samples within this many standard deviations of it.
   double growing_sigmas = 3.0;
+  /// The share of the model's error, below, that holds while a plane grows and for the pixels it is fitted through: what
+  /// a lens bends is nearly the same for neighbours. With all of it, planes 1.5 cm apart grow together 1 m away. Bent
+  /// planes that fall into pieces are joined.
+  double fitting_model_share = 0.3;
   /// What has grown, and what lies about, belongs to a plane within this many standard deviations: a little more
   /// than it grew by, for the final fit lies elsewhere.
   double inlier_sigmas = 3.5;
@@ -32,8 +36,9 @@ struct PlaneExtractionParameters
   /// [rad] No surface is seen flatter than this: the samples of one row of the image lie on a plane through the
   /// camera, whatever they are of.
   double least_view_angle = 0.01;
-  /// Pieces that do not touch are one plane where the middle of each lies on the other, and the normals agree, to
-  /// this many standard deviations and what lenses bend: [rad]; [m]; [m/m] for each metre between the pieces.
+  /// Pieces are one plane where the normals agree and the middle of each lies on the other, to this many standard
+  /// deviations and what lenses bend: [rad]; [m]; [m/m] for each metre between the pieces. For pieces that touch it is
+  /// enough that the planes agree there, to the model's error.
   double joining_sigmas = 3.0;
   double joining_angle = 0.035;
   double joining_offset = 0.004;
@@ -55,6 +60,7 @@ struct PlaneExtractionParameters
     visit("cluster_sigmas", self.cluster_sigmas);
     visit("normal_cosine", self.normal_cosine);
     visit("growing_sigmas", self.growing_sigmas);
+    visit("fitting_model_share", self.fitting_model_share);
     visit("inlier_sigmas", self.inlier_sigmas);
     visit("model_error", self.model_error);
     visit("model_error_slope", self.model_error_slope);

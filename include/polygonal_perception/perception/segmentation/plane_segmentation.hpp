@@ -29,6 +29,12 @@ public:
     double normal_margin = 0.006;
     /// Of the points next to a plane's samples at least this share lies on it: on what is thin and curved few do.
     double least_support = 0.86;
+    /// [1/m], standard deviations: what bends more than this, beyond doubt, is no plane: legs and bottles, whose radius is
+    /// less than a metre.
+    double largest_curvature = 1.0;
+    double curvature_sigmas = 3.0;
+    /// Planes of at most this share of the samples are looked at for that, 64 of 32 x 32; in larger ones normals tell.
+    double bending_share = 0.0625;
     /// [rad] A plane whose normal is not known to 4 degrees, one standard deviation, is none.
     double largest_normal_sigma = 0.07;
     /// [rad] A plane is level or upright to this angle, 3 degrees, and what the noise leaves uncertain of its normal:
@@ -47,6 +53,9 @@ public:
       visit("least_share", self.least_share);
       visit("normal_margin", self.normal_margin);
       visit("least_support", self.least_support);
+      visit("largest_curvature", self.largest_curvature);
+      visit("curvature_sigmas", self.curvature_sigmas);
+      visit("bending_share", self.bending_share);
       visit("largest_normal_sigma", self.largest_normal_sigma);
       visit("kind_angle", self.kind_angle);
       visit("kind_sigmas", self.kind_sigmas);
