@@ -25,6 +25,10 @@ std::optional<ParameterFault> findTooManyCells(const GridParameters& grid)
 
 std::optional<ParameterFault> Pipeline::Parameters::conflict() const
 {
+  if (range.max_range > 0.0) {
+    if (auto fault = parameters::findDisorder("min_range", range.min_range, "max_range", range.max_range))
+      return fault;
+  }
   if (auto fault = parameters::findDisorder("min_height", projection.min_height, "max_height",
                                             projection.max_height)) {
     return fault;

@@ -30,10 +30,12 @@ void Pipeline::run(Product product, StageTimes::Duration StageTimes::*time, Stag
       std::chrono::duration_cast<StageTimes::Duration>(std::chrono::steady_clock::now() - start);
 }
 
-const Pipeline::Result& Pipeline::process(const Frame& frame, Products products)
+const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products products)
 {
   using Times = StageTimes;
   Result& r = result_;
+  Frame frame = whole_frame;
+  frame.points = whole_frame.points.within(parameters_.range);
   clearResult(products);
 
   // Section III-A; III-B to III-D

@@ -43,7 +43,7 @@ public:
 
   PointView view(PointLayout layout, std::size_t k) const
   {
-    if (layout == PointLayout::kDepthMillimetres) {
+    if (layout == PointLayout::kDepthUnits) {
       return PointView::depth(millimetres_[k].data(), 2 * std::size_t{width()}, rays_);
     }
     if (layout == PointLayout::kDepthMetres) {
@@ -169,7 +169,7 @@ TEST_P(Allocations, OfTheProjectionAreNoneWhenPointsAreCountedOrCollected)
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryLayout, Allocations,
-                         testing::Values(PointLayout::kCloud, PointLayout::kDepthMillimetres,
+                         testing::Values(PointLayout::kCloud, PointLayout::kDepthUnits,
                                          PointLayout::kDepthMetres));
 
 }  // namespace

@@ -108,9 +108,9 @@ IMAGES = {
     'no_data': (cut_to(0), 'data has 0 bytes, accepted is height x step = 38400'),
     'data_of_half_the_metres': (set_to(encoding='32FC1'), 'step is 320, accepted is at least 640'),
     'big_endian': (set_to(is_bigendian=1), 'is_bigendian is true, accepted is false'),
-    **{'encoding_' + (e or 'empty'): (set_to(encoding=e), "encoding is '%s', accepted are 16UC1 (mm) and 32FC1 (m)" % e)
+    **{'encoding_' + (e or 'empty'): (set_to(encoding=e), "encoding is '%s', accepted are 16UC1 (in depth_unit) and 32FC1 (m)" % e)
        for e in ('', 'bgr8', '8UC1', '16SC1', '16UC3', '32FC3', '64FC1', 'mono8', '16uc1', '16UC1 ', '\x01', 'compressed; png')},
-    'an_encoding_of_a_megabyte': (set_to(encoding='16UC1' * 2 ** 18), "UC116UC1', accepted are 16UC1 (mm) and 32FC1 (m)"),
+    'an_encoding_of_a_megabyte': (set_to(encoding='16UC1' * 2 ** 18), "UC116UC1', accepted are 16UC1 (in depth_unit) and 32FC1 (m)"),
 }
 INFOS = {
     'fx_of_0': (calibration(fx=0.0, projection=False), 'camera_info has fx, fy, cx, cy of 0, 100, 80, 60; accepted are finite'),

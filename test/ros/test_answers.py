@@ -31,15 +31,17 @@ class AnswersTest(unittest.TestCase):
         self.assertTrue(self.client.reset().success)
 
     def ask(self, camera, boxes):
-        stamp = self.clock.tick()
         depth = camera.render(boxes)
+        return camera.to_floor(camera.points(depth)), self.send(camera, depth)
+
+    def send(self, camera, depth):
+        stamp = self.clock.tick()
         if self.encoding == 'cloud':
             self.client.send(camera.cloud(depth, stamp))
         else:
             # The image first: it has to wait for its calibration.
             self.client.send(camera.image(depth, stamp, self.encoding), camera.info(stamp))
-        answer = self.client.answer(stamp)
-        return camera.to_floor(camera.points(depth)), answer
+        return self.client.answer(stamp)
 
     def check(self, camera, boxes):
         points, answer = self.ask(camera, boxes)
@@ -219,6 +221,25 @@ class AnswersTest(unittest.TestCase):
         # And in the next frame each has its id.
         _, later = self.ask(camera, [box])
         self.assertEqual({p.id: p.kind for p in later['planes'].planes}, {p.id: p.kind for p in planes})
+
+    def test_whatever_stands_for_no_return_is_none(self):
+        # Lower than an obstacle: points in the camera itself would stand in its own cell.
+        camera = scene.Camera(height=0.4, pitch=0.3)
+        depth = camera.render(self.boxes)
+        depth[np.random.RandomState(1).rand(*depth.shape) < 0.2] = np.nan
+        depth[:, :10] = np.nan  # the strip that a stereo camera does not see
+        spellings = {'cloud': (np.nan, 0.0, np.inf, -np.inf), '16UC1': (0.0, 65.535),
+                     '32FC1': (np.nan, 0.0, np.inf, -np.inf, -1.0)}[self.encoding]
+        answers = []
+        for none in spellings:
+            self.assertTrue(self.client.reset().success)
+            answers.append(self.send(camera, np.where(np.isnan(depth), none, depth)))
+            self.assertEqual(answers[-1]['floor'].status, FOUND, none)
+            self.assertEqual(answers[-1]['floor'].distance, answers[0]['floor'].distance, none)
+            self.assertEqual(answers[-1]['occupancy_grid'].data, answers[0]['occupancy_grid'].data, none)
+        cells = np.argwhere(np.array(answers[0]['occupancy_grid'].data).reshape(100, 100) == 100)
+        self.assertGreater(len(cells), 0)
+        self.assertGreater(cells[:, 1].min(), 30, 'nothing stands within 1.5 m')
 
     def test_markers(self):
         _, answer = self.ask(scene.Camera(), self.boxes)

@@ -81,6 +81,17 @@ TEST(DepthInput, ReadsMillimetresAndMetresByTheRectifiedProjection)
   }
 }
 
+TEST(DepthInput, ReadsOtherUnitsThanMillimetres)
+{
+  DepthInput input("/camera/camera_info");
+  input.setCameraInfo(info());
+  const sensor_msgs::Image image = millimetres();
+  const double in_millimetres = input.view(image)->point(0, 0).z();
+  EXPECT_NEAR(input.view(image, 0.00025)->point(0, 0).z(), 0.25 * in_millimetres, 1e-6);
+  EXPECT_NEAR(input.view(metres(), 0.00025)->point(0, 0).z(), 1.0, 1e-6)
+      << "a unit is of whole numbers alone";
+}
+
 TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)
 {
   DepthInput input("/camera/camera_info");
@@ -144,7 +155,7 @@ TEST(DepthInput, SaysWhatIsWrongWithTheImage)
   using Image = sensor_msgs::Image;
   using Info = sensor_msgs::CameraInfo;
   EXPECT_EQ(errorOf([](Image& i, Info&) { i.encoding = "bgr8"; }),
-            "encoding is 'bgr8', accepted are 16UC1 (mm) and 32FC1 (m)");
+            "encoding is 'bgr8', accepted are 16UC1 (in depth_unit) and 32FC1 (m)");
   EXPECT_EQ(errorOf([](Image& i, Info&) { i.width = 0; }), "width is 0, accepted is 2 to 65535");
   EXPECT_EQ(errorOf([](Image& i, Info&) { i.is_bigendian = 1; }), "is_bigendian is true, accepted is false");
   EXPECT_EQ(errorOf([](Image& i, Info&) { i.step = 7; }), "step is 7, accepted is at least 8");

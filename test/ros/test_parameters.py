@@ -25,7 +25,8 @@ class ParametersTest(unittest.TestCase):
         cls.boxes = [scene.Box((1.82, 2.22), (-0.38, 0.12), (0, 0.3))]
 
     def setUp(self):
-        self.set(robot_radius=0.3, grid_resolution=0.05, samples_x=32, min_height=0.03, max_height=0.6)
+        self.set(robot_radius=0.3, grid_resolution=0.05, samples_x=32, min_height=0.03, max_height=0.6, min_range=0.01,
+                 max_range=0.0)
 
     def set(self, **values):
         return self.reconfigure.update_configuration(values)
@@ -60,6 +61,18 @@ class ParametersTest(unittest.TestCase):
             nearest = min(p.x for p in answer['polygons'].polygons[0].boundary.points)
             self.assertTrue(1.8 - radius - 0.1 - 0.075 <= nearest <= 1.8 - radius + 1e-6, (radius, nearest))
             self.assertEqual(rospy.get_param(NODE + '/robot_radius'), radius)
+
+    def test_points_out_of_range_are_none(self):
+        # The box begins 1.82 m ahead, and the camera is 1 m high.
+        self.assertEqual(len(self.answer()['polygons'].polygons), 1)
+        self.set(max_range=1.9)
+        self.assertEqual(len(self.answer()['polygons'].polygons), 0, 'nearer than 1.9 m is floor alone')
+        self.set(max_range=0.0, min_range=2.5)
+        self.assertEqual(len(self.answer()['polygons'].polygons), 0, 'farther than 2.5 m is floor alone')
+        self.set(min_range=0.01, max_range=4.0)
+        self.assertEqual(len(self.answer()['polygons'].polygons), 1)
+        refused = self.set(min_range=5.0)
+        self.assertEqual((refused['min_range'], refused['max_range']), (0.01, 4.0), 'nothing lies in between')
 
     def test_the_command_line_changes_the_next_frame(self):
         self.answer()

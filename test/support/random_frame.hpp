@@ -21,6 +21,8 @@ public:
     height_ = pick(1U, 9U);
     rays_ = perception::PinholeRays::make(width_, height_, 40.0, 41.0, 0.5 * width_, 0.4 * height_);
     layout_ = static_cast<perception::PointLayout>(pick(0, 2));
+    if (pick(0, 1) == 0) unit_ = 0.00025;
+    if (pick(0, 2) == 0) limits_ = {coordinate(0.0F, 1.0F), coordinate(1.0F, 5.0F)};
     if (layout_ == perception::PointLayout::kCloud) {
       fillCloud();
     } else if (layout_ == perception::PointLayout::kDepthMetres) {
@@ -32,7 +34,10 @@ public:
     }
   }
 
-  perception::PointView view() const
+  perception::PointView view() const { return everything().within(limits_); }
+
+private:
+  perception::PointView everything() const
   {
     const std::uint8_t* const first = bytes_.data() + misalignment_;
     if (layout_ == perception::PointLayout::kCloud)
@@ -41,10 +46,9 @@ public:
       return perception::PointView::depth(reinterpret_cast<const float*>(first), strides_.row_step, rays_);
     }
     return perception::PointView::depth(reinterpret_cast<const std::uint16_t*>(first), strides_.row_step,
-                                        rays_);
+                                        rays_, unit_);
   }
 
-private:
   template <class Integer>
   Integer pick(Integer low, Integer high)
   {
@@ -116,6 +120,8 @@ private:
   std::uint32_t width_, height_;
   perception::PinholeRays rays_;
   perception::PointLayout layout_;
+  perception::RangeLimits limits_;
+  double unit_ = 0.001;  // [m]
   perception::PointView::CloudStrides strides_;
   std::size_t misalignment_ = 0;
   std::vector<std::uint8_t> bytes_;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -35,15 +37,19 @@ public:
   {
     if (points.layout() == perception::PointLayout::kCloud) {
       const Eigen::Vector3f p = points.point(u, v);
+      if (!isWithin(points, dot(p, p))) return std::nullopt;
       return cell(dot(height_, p), dot(column_, p) + column_offset_, dot(row_, p) + row_offset_);
     }
     const bool metres = points.layout() == perception::PointLayout::kDepthMetres;
-    const float unit = metres ? 1.0F : 0.001F;
+    const float unit = points.unit();
     const float z =
         metres ? read<float>(points, u, v) : static_cast<float>(read<std::uint16_t>(points, u, v));
-    if (!(z > 0.0F)) return std::nullopt;
+    const float none = metres ? std::numeric_limits<float>::infinity() : 65535.0F;
+    if (!(z > 0.0F && z < none)) return std::nullopt;
     const float column_slope = unit * points.rays()->column_slope[u];
     const float row_slope = points.rays()->row_slope[v];
+    const float square = unit * unit * (row_slope * row_slope + 1.0F);
+    if (!isWithin(points, z * z * (column_slope * column_slope + square))) return std::nullopt;
     const auto along = [&](const Eigen::Vector3f& a) {
       return z * (a.x() * column_slope + unit * (a.y() * row_slope + a.z()));
     };
@@ -64,6 +70,11 @@ public:
   }
 
 private:
+  static bool isWithin(const perception::PointView& points, float squared)
+  {
+    return squared >= points.nearestSquared() && squared <= points.farthestSquared();
+  }
+
   static float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& p)
   {
     return a.x() * p.x() + a.y() * p.y() + a.z() * p.z();

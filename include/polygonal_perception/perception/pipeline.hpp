@@ -36,6 +36,7 @@ class POLYGONAL_PERCEPTION_EXPORT Pipeline
 public:
   struct Parameters
   {
+    RangeLimits range;
     SampleGrid::Parameters samples;
     FloorTracker::Parameters tracker;
     FloorDetector::Parameters detector;
@@ -50,6 +51,7 @@ public:
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
     {
+      RangeLimits::describe(self.range, visit);
       SampleGrid::Parameters::describe(self.samples, visit);
       FloorTracker::Parameters::describe(self.tracker, visit);
       FloorDetector::Parameters::describe(self.detector, visit);

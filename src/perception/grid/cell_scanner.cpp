@@ -52,6 +52,8 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform)
 {
   points_ = points;
   transform_ = transform;
+  transform_.nearest_squared = points.nearestSquared();
+  transform_.farthest_squared = points.farthestSquared();
   const std::uint32_t width = roundedUp(points.width());
   blocks_.resize(width / kBlock);
   packed_.resize(kPackedPoint * width);
@@ -60,9 +62,9 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform)
     return;
   }
   const bool metres = points.layout() == PointLayout::kDepthMetres;
-  pixel_ = metres ? kernel_->metres_pixel : kernel_->millimetres_pixel;
-  unit_ = metres ? 1.0F : 0.001F;
-  column_shares_.assign(std::size_t{3} * width, 0.0F);
+  pixel_ = metres ? kernel_->metres_pixel : kernel_->units_pixel;
+  unit_ = points.unit();
+  column_shares_.assign(std::size_t{4} * width, 0.0F);
   for (std::uint32_t k = 0; k < width; ++k) {
     const std::uint32_t u = k / kBlock * kBlock + pixel_[k % kBlock];
     if (u >= points.width()) continue;
@@ -70,6 +72,7 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform)
     column_shares_[k] = transform.height.x * slope;
     column_shares_[width + k] = transform.column.x * slope;
     column_shares_[2 * width + k] = transform.row.x * slope;
+    column_shares_[3 * width + k] = slope * slope;
   }
 }
 
@@ -98,7 +101,7 @@ std::uint32_t CellScanner::cloudRow(std::uint32_t v)
 std::uint32_t CellScanner::depthRow(std::uint32_t v)
 {
   const bool metres = points_.layout() == PointLayout::kDepthMetres;
-  const auto run = metres ? kernel_->metres : kernel_->millimetres;
+  const auto run = metres ? kernel_->metres : kernel_->units;
   const std::size_t pixel_size = metres ? sizeof(float) : sizeof(std::uint16_t);
   const std::size_t width = roundedUp(points_.width());
   const float slope = points_.rays()->row_slope[v];
@@ -108,9 +111,11 @@ std::uint32_t CellScanner::depthRow(std::uint32_t v)
                   column_shares_.data(),
                   column_shares_.data() + width,
                   column_shares_.data() + 2 * width,
+                  column_shares_.data() + 3 * width,
                   share(transform_.height),
                   share(transform_.column),
-                  share(transform_.row)};
+                  share(transform_.row),
+                  unit_ * unit_ * (slope * slope + 1.0F)};
   const std::uint32_t whole = wholeBlocks(points_.width());
   std::uint32_t count = run(row, whole, transform_, blocks_.data());
   const std::uint32_t rest = points_.width() - whole;
@@ -122,6 +127,7 @@ std::uint32_t CellScanner::depthRow(std::uint32_t v)
   row.heights += whole;
   row.columns += whole;
   row.rows += whole;
+  row.squares += whole;
   CellBlock* const block = blocks_.data() + count;
   count += run(row, kBlock, transform_, block);
   if (block != blocks_.data() + count) block->first += whole;

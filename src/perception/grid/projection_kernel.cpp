@@ -1,6 +1,7 @@
 #include "perception/grid/projection_kernel.hpp"
 
 #include <cstring>
+#include <limits>
 #include <utility>
 
 // What the compilers spell differently. A function that is compiled for a TARGET may be called only where the

@@ -13,7 +13,7 @@ namespace polygonal_perception::perception {
 ///     row    = row.x x    + row.y y    + row.z z    + row_offset
 ///
 /// A point stands in the cell (floor(column), floor(row)) when lowest <= height <= highest, 0 <= column <
-/// columns and 0 <= row < rows. The height is taken from the origin of the input's frame, not from the floor.
+/// columns, 0 <= row < rows and nearest_squared <= x x + y y + z z <= farthest_squared. The height is taken from the origin of the input's frame, not from the floor.
 ///
 /// All of this is done in single precision, from left to right, a product rounded before it is added: so
 /// every kernel on every machine finds the same cells.
@@ -26,8 +26,9 @@ struct CellTransform
   Coefficients height;       ///< [m]
   Coefficients column, row;  ///< [cells]
   float column_offset, row_offset;
-  float lowest, highest;  ///< [m]
-  float columns, rows;    ///< size of the grid
+  float lowest, highest;                    ///< [m]
+  float columns, rows;                      ///< size of the grid
+  float nearest_squared, farthest_squared;  ///< [m^2] of the ranges at which points lie
 };
 
 /// A row of a depth image. As x and y are z times the slopes of the pixel's ray, pixel u is at
@@ -35,15 +36,17 @@ struct CellTransform
 ///     height = z (heights[u] + height)
 ///     column = z (columns[u] + column) + column_offset
 ///     row    = z (rows[u]    + row)    + row_offset
+///     range^2 = z z (squares[u] + square)
 ///
-/// and it is a point when z > 0. z is the number in the image: the coefficients know its unit.
+/// and it is a point when 0 < z < none. z is the number in the image: the coefficients know its unit.
 struct DepthRow
 {
   const std::uint8_t* depth;  ///< uint16 or float; no alignment is assumed
   const float* heights;       ///< the share of each pixel's column, in the order of the kernel's lanes
   const float* columns;
   const float* rows;
-  float height, column, row;  ///< the share of the image row
+  const float* squares;
+  float height, column, row, square;  ///< the share of the image row
 };
 
 /// Pixels that a kernel takes at a time.
@@ -68,12 +71,12 @@ struct ProjectionKernel
   /// Points 16 bytes apart that begin with x, y, z; what the fourth number is does not matter.
   std::uint32_t (*cloud)(const std::uint8_t* points, std::uint32_t count, const CellTransform&,
                          CellBlock* blocks);
-  std::uint32_t (*millimetres)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks);
+  std::uint32_t (*units)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks);
   std::uint32_t (*metres)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks);
 
   /// Which pixel of a block each lane holds: pixels are taken in the order that is cheapest to load.
   std::uint8_t cloud_pixel[kBlock];
-  std::uint8_t millimetres_pixel[kBlock];
+  std::uint8_t units_pixel[kBlock];
   std::uint8_t metres_pixel[kBlock];
 };
 

@@ -68,7 +68,7 @@ bool DepthInput::awaitsCameraInfo(const sensor_msgs::Image& image) const
   return !info_ || (in_pairs_ && info_->header.stamp != image.header.stamp);
 }
 
-ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::Image& image)
+ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::Image& image, double unit)
 {
   namespace encodings = sensor_msgs::image_encodings;
   using Result = ros_common::Expected<perception::PointView>;
@@ -78,13 +78,14 @@ ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::
     return Result::failure(error);
   }
   // "mono16" is what 16UC1 becomes on the way through some image tools.
-  const bool millimetres = image.encoding == encodings::TYPE_16UC1 || image.encoding == encodings::MONO16;
-  if (!millimetres && image.encoding != encodings::TYPE_32FC1) {
-    return Result::failure("encoding is '" + image.encoding + "', accepted are 16UC1 (mm) and 32FC1 (m)");
+  const bool whole_numbers = image.encoding == encodings::TYPE_16UC1 || image.encoding == encodings::MONO16;
+  if (!whole_numbers && image.encoding != encodings::TYPE_32FC1) {
+    return Result::failure("encoding is '" + image.encoding +
+                           "', accepted are 16UC1 (in depth_unit) and 32FC1 (m)");
   }
   if (image.is_bigendian != 0) return Result::failure("is_bigendian is true, accepted is false");
   const std::uint64_t row =
-      std::uint64_t{image.width} * (millimetres ? sizeof(std::uint16_t) : sizeof(float));
+      std::uint64_t{image.width} * (whole_numbers ? sizeof(std::uint16_t) : sizeof(float));
   if (image.step < row) {
     return Result::failure("step is " + std::to_string(image.step) + ", accepted is at least " +
                            std::to_string(row));
@@ -97,8 +98,8 @@ ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::
   if (const std::string error = adoptCalibration(image); !error.empty()) return Result::failure(error);
 
   const void* const data = image.data.data();
-  return millimetres
-             ? perception::PointView::depth(static_cast<const std::uint16_t*>(data), image.step, rays_)
+  return whole_numbers
+             ? perception::PointView::depth(static_cast<const std::uint16_t*>(data), image.step, rays_, unit)
              : perception::PointView::depth(static_cast<const float*>(data), image.step, rays_);
 }
 

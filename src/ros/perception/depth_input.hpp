@@ -32,10 +32,11 @@ public:
 
   /// A view onto the image's points, which lives as long as the image and until the next call; nothing is
   /// copied.
-  /// @return the view, or an error that names the field, what it was and what is accepted: 16UC1 in
-  ///         millimetres or 32FC1 in metres, little-endian, and a camera_info of the same size with positive
+  /// @param unit  [m] of the numbers in a 16UC1 image
+  /// @return the view, or an error that names the field, what it was and what is accepted: 16UC1 or
+  ///         32FC1 in metres, little-endian, and a camera_info of the same size with positive
   ///         focal lengths
-  ros_common::Expected<perception::PointView> view(const sensor_msgs::Image& image);
+  ros_common::Expected<perception::PointView> view(const sensor_msgs::Image& image, double unit = 0.001);
 
 private:
   std::string adoptCalibration(const sensor_msgs::Image& image);

@@ -56,7 +56,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   const std_msgs::Header& header = frame.header();
   if (frame.image && may_wait && depth_input_.awaitsCameraInfo(*frame.image)) return false;
   const ros_common::Expected<perception::PointView> points =
-      frame.cloud ? viewCloud(*frame.cloud) : depth_input_.view(*frame.image);
+      frame.cloud ? viewCloud(*frame.cloud) : depth_input_.view(*frame.image, parameters_.depth_unit);
   if (!points) {
     reject("input", (frame.cloud ? "cloud rejected: " : "depth image rejected: ") + points.error());
     return true;

@@ -32,6 +32,7 @@ inline bool isFrameOrEmpty(const std::string& text)
 struct PerceptionParameters
 {
   std::string input = "cloud";
+  double depth_unit = 0.001;  ///< [m]
   std::string floor_frame = "floor";
   std::string output_frame;
   bool publish_tf = true;
@@ -48,6 +49,8 @@ struct PerceptionParameters
     using parameters::TextRule;
     visit("input", self.input, TextRule{"cloud, depth", isInputKind},
           "What the camera's driver sends: a PointCloud2 or a depth image.");
+    visit("depth_unit", self.depth_unit, Range{1e-5, 0.1}, "m",
+          "What a number in a 16UC1 depth image means.");
     visit("floor_frame", self.floor_frame, TextRule{"a frame", isFrame},
           "Child frame of the input's: on the floor under the camera, x ahead, z up.");
     visit("output_frame", self.output_frame, TextRule{"a frame or empty", isFrameOrEmpty},

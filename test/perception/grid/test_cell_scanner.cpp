@@ -27,8 +27,8 @@ const Layout kLayouts[] = {
     {"cloud with colours", PointLayout::kCloud, {0, 32, 0, 4, 8}, 1, 0},
     {"cloud with z first", PointLayout::kCloud, {0, 21, 8, 15, 1}, 0, 5},
     {"cloud with y last", PointLayout::kCloud, {0, 18, 1, 13, 9}, 2, 0},
-    {"millimetres", PointLayout::kDepthMillimetres, {}, 0, 0},
-    {"millimetres, not aligned, rows apart", PointLayout::kDepthMillimetres, {}, 1, 3},
+    {"millimetres", PointLayout::kDepthUnits, {}, 0, 0},
+    {"millimetres, not aligned, rows apart", PointLayout::kDepthUnits, {}, 1, 3},
     {"metres", PointLayout::kDepthMetres, {}, 0, 0},
     {"metres, not aligned, rows apart", PointLayout::kDepthMetres, {}, 3, 6},
 };
@@ -60,7 +60,7 @@ public:
     const std::uint8_t* const first = bytes_.data() + layout_.misalignment;
     if (layout_.kind == PointLayout::kDepthMetres)
       return PointView::depth(reinterpret_cast<const float*>(first), row_step_, rays_);
-    if (layout_.kind == PointLayout::kDepthMillimetres)
+    if (layout_.kind == PointLayout::kDepthUnits)
       return PointView::depth(reinterpret_cast<const std::uint16_t*>(first), row_step_, rays_);
     PointView::CloudStrides strides = layout_.strides;
     strides.row_step = row_step_;
@@ -88,7 +88,7 @@ private:
     const auto millimetres = static_cast<std::uint16_t>(has_point ? 1000 : 0);
     if (layout_.kind == PointLayout::kDepthMetres) {
       std::memcpy(at, &z, sizeof z);
-    } else if (layout_.kind == PointLayout::kDepthMillimetres) {
+    } else if (layout_.kind == PointLayout::kDepthUnits) {
       std::memcpy(at, &millimetres, sizeof millimetres);
     } else {
       const float x = static_cast<float>(u) + 0.5F;

@@ -87,6 +87,28 @@ TEST(Projection, PixelsWithoutReturnAreNotTheCameraItself)
   EXPECT_EQ(project(PointView::depth(millimetres.data(), 80, rays), low_camera).count(), 0U);
   EXPECT_EQ(project(PointView::depth(metres.data(), 160, rays), low_camera).count(), 0U);
   EXPECT_EQ(project(PointView::depth(negative.data(), 160, rays), low_camera).count(), 0U);
+  EXPECT_EQ(project(rowOf({{0.0F, 0.0F, 0.0F, 1.0F}}), low_camera).count(), 0U) << "a cloud's";
+}
+
+TEST(Projection, ANumberOf65535IsNoReturn)
+{
+  const PinholeRays rays = PinholeRays::make(40, 4, 500.0, 500.0, 20.0, 2.0);
+  // In a unit in which both lie in the grid.
+  for (const auto& [number, marks] : {std::pair<std::uint16_t, bool>(65534, true), {65535, false}}) {
+    const std::vector<std::uint16_t> depth(160, number);
+    const PointView view = PointView::depth(depth.data(), 80, rays, 1e-5);
+    EXPECT_EQ(project(view, test::tiltedCamera(0.3)).count() > 0, marks) << number;
+  }
+}
+
+TEST(Projection, NothingStandsOutsideTheLimitsOfRange)
+{
+  const std::vector<test::PackedPoint> three = {
+      {1.0F, 0.0F, 0.3F, 0.0F}, {2.0F, 0.0F, 0.3F, 0.0F}, {3.0F, 0.0F, 0.3F, 0.0F}};
+  const PointView points = rowOf(three);
+  EXPECT_EQ(project(points, upright()).count(), 3U);
+  EXPECT_EQ(project(points.within({1.5, 2.5}), upright()).count(), 1U);
+  EXPECT_EQ(project(points.within({1.5, 0.0}), upright()).count(), 2U);
 }
 
 TEST(Projection, NoTransformMarksNothingWhenItIsNotANumber)

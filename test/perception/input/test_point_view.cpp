@@ -36,8 +36,42 @@ TEST(PointView, FindsCoordinatesAtAnyOffsetAndStepAndAlignment)
   }
   const PointView view = PointView::cloud(memory.data(), 3, 2, strides);
   EXPECT_EQ(view.size(), 6U);
-  EXPECT_EQ(view.point(0, 0), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(view.point(1, 0), Eigen::Vector3f(1, 1, 1));
   EXPECT_EQ(view.point(2, 1), Eigen::Vector3f(12, 22, 32));
+}
+
+/// Whether none of the points is a return.
+void expectNoReturns(const PointView& view)
+{
+  for (std::uint32_t u = 0; u < view.width(); ++u)
+    EXPECT_TRUE(view.point(u, 0).hasNaN()) << "pixel " << u << " is at " << view.point(u, 0).transpose();
+}
+
+struct Xyz
+{
+  float x, y, z;
+};
+
+TEST(PointView, WhatDriversWriteWhereACloudHasNoReturnIsNone)
+{
+  const float nan = std::nanf("");
+  const Xyz points[] = {{0, 0, 0},         {-0.0F, 0, 0}, {nan, nan, nan},
+                        {0, 0, nan},       {nan, 0, 0},   {INFINITY, INFINITY, INFINITY},
+                        {0, 0, -INFINITY}, {3e38F, 0, 0}};
+  expectNoReturns(PointView::points(points, 8, 1));
+}
+
+TEST(PointView, PointsOutsideTheLimitsAreNone)
+{
+  const Xyz points[] = {{0, 0, 0.49F}, {0.3F, 0.3F, 0.2F}, {0, 0, 4.01F}, {3, 0, 3}, {0, -4.1F, 0}};
+  const PointView all = PointView::points(points, 5, 1);
+  expectNoReturns(all.within({0.5, 4.0}));
+  const Xyz inside[] = {{0, 0, 0.51F}, {0.4F, 0.4F, 0.2F}, {0, 0, 3.99F}, {2, 0, 3}, {0, 0, -2}};
+  const PointView kept = PointView::points(inside, 5, 1).within({0.5, 4.0});
+  for (std::uint32_t u = 0; u < 5; ++u)
+    EXPECT_EQ(kept.point(u, 0), Eigen::Vector3f(inside[u].x, inside[u].y, inside[u].z));
+  EXPECT_EQ(all.within({0.5, 0.0}).point(2, 0).z(), 4.01F) << "0 is no limit";
+  EXPECT_EQ(all.point(0, 0).z(), 0.49F) << "the view itself stays what it was";
 }
 
 class DepthView : public ::testing::Test
@@ -55,6 +89,26 @@ TEST_F(DepthView, ReadsMillimetres)
   EXPECT_TRUE(view.point(1, 1).isApprox(Eigen::Vector3f(0.0F, 0.02F, 4.0F), 1e-6F))
       << view.point(1, 1).transpose();
   EXPECT_TRUE(view.point(2, 0).array().isNaN().all());
+  EXPECT_TRUE(view.point(2, 1).array().isNaN().all()) << "65535: none, as some drivers write it";
+}
+
+TEST_F(DepthView, ReadsOtherUnits)
+{
+  const std::uint16_t depth[] = {4000, 8000, 0, 2000, 65534, 65535};
+  const PointView view = PointView::depth(depth, 6, rays_, 0.00025);
+  EXPECT_TRUE(view.point(0, 0).isApprox(Eigen::Vector3f(-0.01F, 0.0F, 1.0F), 1e-6F));
+  EXPECT_NEAR(view.point(1, 1).z(), 16.3835, 1e-4);
+  EXPECT_TRUE(view.point(2, 1).hasNaN());
+}
+
+TEST_F(DepthView, LimitsAreOfTheRangeNotOfTheDepth)
+{
+  const PinholeRays wide = PinholeRays::make(3, 1, 1.0, 1.0, 1.0, 0.0);  // 45 degrees to both sides
+  const float depth[] = {1.0F, 1.0F, 0.8F};
+  const PointView view = PointView::depth(depth, 12, wide).within({0.5, 1.2});
+  EXPECT_TRUE(view.point(0, 0).hasNaN()) << "1.41 m away";
+  EXPECT_EQ(view.point(1, 0).z(), 1.0F);
+  EXPECT_EQ(view.point(2, 0).z(), 0.8F) << "1.13 m away";
 }
 
 TEST_F(DepthView, ReadsMetresWithPaddedRows)

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <vector>
+
+#include "polygonal_perception/perception/input/range_limits.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -34,16 +37,17 @@ struct PinholeRays
 /// How the points of an organised frame lie in memory.
 enum class PointLayout : std::uint8_t
 {
-  kCloud,             ///< float32 x, y, z at fixed offsets in each point
-  kDepthMillimetres,  ///< uint16 depth along the optical axis [mm], 0 = no return
-  kDepthMetres        ///< float32 depth along the optical axis [m], NaN or <= 0 = no return
+  kCloud,       ///< float32 x, y, z at fixed offsets in each point
+  kDepthUnits,  ///< uint16 depth along the optical axis in a unit, most often 1 mm; 0 and 65535 = no return
+  kDepthMetres  ///< float32 depth along the optical axis [m]; NaN, inf and <= 0 = no return
 };
 
 /// A view onto an organised frame of points. It copies and owns nothing: the memory (and the rays) must
 /// outlive it.
 ///
 /// Nothing else in the package knows how points lie in memory. Points are given in the input's frame in
-/// metres; a pixel without a return has at least one NaN coordinate. A depth image's points are in an optical
+/// metres; a pixel without a return has at least one NaN coordinate. A cloud's point in the sensor itself, as (0, 0, 0),
+/// which many drivers write, is no return either, nor is one beyond the limits of within(). A depth image's points are in an optical
 /// frame (x right, y down, z forward); a cloud's are in whatever frame its publisher chose.
 class PointView
 {
@@ -84,16 +88,30 @@ public:
     return cloud(data, width, height, strides);
   }
 
-  /// A view onto a depth image in millimetres (16UC1).
-  static PointView depth(const std::uint16_t* data, std::size_t row_step, const PinholeRays& rays)
+  /// A view onto a depth image of whole numbers (16UC1).
+  /// @param unit  [m] of the numbers
+  static PointView depth(const std::uint16_t* data, std::size_t row_step, const PinholeRays& rays,
+                         double unit = 0.001)
   {
-    return depthImage(data, row_step, rays, PointLayout::kDepthMillimetres);
+    PointView view = depthImage(data, row_step, rays, PointLayout::kDepthUnits);
+    view.unit_ = static_cast<float>(unit);
+    return view;
   }
 
   /// A view onto a depth image in metres (32FC1).
   static PointView depth(const float* data, std::size_t row_step, const PinholeRays& rays)
   {
     return depthImage(data, row_step, rays, PointLayout::kDepthMetres);
+  }
+
+  /// The same view, without the points that are nearer to the sensor or farther from it.
+  PointView within(const RangeLimits& limits) const
+  {
+    PointView view = *this;
+    const auto squared = [](double range) { return static_cast<float>(range * range); };
+    view.nearest_squared_ = std::max(kLeastSquared, squared(limits.min_range));
+    view.farthest_squared_ = limits.max_range > 0.0 ? squared(limits.max_range) : kMostSquared;
+    return view;
   }
 
   std::uint32_t width() const { return width_; }
@@ -103,22 +121,22 @@ public:
   const CloudStrides& strides() const { return strides_; }
   /// The rays of a depth image; nullptr for a cloud.
   const PinholeRays* rays() const { return rays_; }
+  /// [m] What a number in a depth image means.
+  float unit() const { return unit_; }
+  /// [m^2] Squares of the ranges between which points lie.
+  float nearestSquared() const { return nearest_squared_; }
+  float farthestSquared() const { return farthest_squared_; }
   /// The first byte of row v.
   const std::uint8_t* row(std::uint32_t v) const { return data_ + v * strides_.row_step; }
 
   /// The point of pixel (u, v) [m], with a NaN coordinate where there is no return.
   Eigen::Vector3f point(std::uint32_t u, std::uint32_t v) const
   {
-    if (layout_ == PointLayout::kCloud) {
-      const std::uint8_t* at = row(v) + u * strides_.point_step;
-      return {load<float>(at + strides_.x_offset), load<float>(at + strides_.y_offset),
-              load<float>(at + strides_.z_offset)};
-    }
-    const float z = layout_ == PointLayout::kDepthMillimetres
-                        ? 0.001F * static_cast<float>(load<std::uint16_t>(row(v) + u * sizeof(std::uint16_t)))
-                        : load<float>(row(v) + u * sizeof(float));
-    if (!(z > 0.0F)) return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-    return {z * rays_->column_slope[u], z * rays_->row_slope[v], z};
+    const Eigen::Vector3f point = layout_ == PointLayout::kCloud ? cloudPoint(u, v) : depthPoint(u, v);
+    const float squared = point.squaredNorm();
+    // Written so that NaN fails.
+    if (squared >= nearest_squared_ && squared <= farthest_squared_) return point;
+    return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
   }
 
   /// Asks for the memory of pixel (u, v): for those who are about to read many that lie far apart.
@@ -133,14 +151,33 @@ private:
   {
   }
 
+  Eigen::Vector3f cloudPoint(std::uint32_t u, std::uint32_t v) const
+  {
+    const std::uint8_t* at = row(v) + u * strides_.point_step;
+    return {load<float>(at + strides_.x_offset), load<float>(at + strides_.y_offset),
+            load<float>(at + strides_.z_offset)};
+  }
+
+  /// Without a return it is a point in the camera, or NaN.
+  Eigen::Vector3f depthPoint(std::uint32_t u, std::uint32_t v) const
+  {
+    float z = 0.0F;
+    if (layout_ == PointLayout::kDepthUnits) {
+      const auto units = load<std::uint16_t>(row(v) + u * sizeof(std::uint16_t));
+      z = units == std::numeric_limits<std::uint16_t>::max() ? 0.0F : unit_ * static_cast<float>(units);
+    } else {
+      z = std::max(0.0F, load<float>(row(v) + u * sizeof(float)));
+    }
+    return {z * rays_->column_slope[u], z * rays_->row_slope[v], z};
+  }
+
   static PointView depthImage(const void* data, std::size_t row_step, const PinholeRays& rays,
                               PointLayout layout)
   {
     PointView view(data, static_cast<std::uint32_t>(rays.column_slope.size()),
                    static_cast<std::uint32_t>(rays.row_slope.size()), layout);
     view.strides_.row_step = row_step;
-    view.strides_.point_step =
-        layout == PointLayout::kDepthMillimetres ? sizeof(std::uint16_t) : sizeof(float);
+    view.strides_.point_step = layout == PointLayout::kDepthUnits ? sizeof(std::uint16_t) : sizeof(float);
     view.rays_ = &rays;
     return view;
   }
@@ -159,12 +196,19 @@ private:
     return value;
   }
 
+  // [m^2] Of a point in the sensor, or so far away that its square is no number, nobody knows the range.
+  static constexpr float kLeastSquared = std::numeric_limits<float>::min();
+  static constexpr float kMostSquared = std::numeric_limits<float>::max();
+
   const std::uint8_t* data_ = nullptr;
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   PointLayout layout_ = PointLayout::kCloud;
   CloudStrides strides_;
   const PinholeRays* rays_ = nullptr;
+  float unit_ = 1.0F;
+  float nearest_squared_ = kLeastSquared;
+  float farthest_squared_ = kMostSquared;
 };
 
 }  // namespace polygonal_perception::perception
