@@ -92,6 +92,28 @@ TEST(DepthInput, ReadsOtherUnitsThanMillimetres)
       << "a unit is of whole numbers alone";
 }
 
+TEST(DepthInput, ADistortionIsSaidOnceForEachCalibration)
+{
+  DepthInput input("/camera/camera_info");
+  const sensor_msgs::Image image = millimetres();
+  const auto noticeOf = [&](const std::vector<double>& coefficients, double stamp) {
+    const sensor_msgs::CameraInfoPtr calibration = info(stamp);
+    calibration->distortion_model = "plumb_bob";
+    calibration->D = coefficients;
+    input.setCameraInfo(calibration);
+    EXPECT_TRUE(input.view(image));
+    return input.takeNotice();
+  };
+  EXPECT_EQ(noticeOf({}, 1.0), "");
+  EXPECT_EQ(noticeOf({0.0, 0.0, 0.0, 0.0, 0.0}, 2.0), "");
+  EXPECT_EQ(noticeOf({-0.2, 0.05, 0.0, 0.0, 0.0}, 3.0),
+            "/camera/camera_info has a lens distortion (plumb_bob, D begins -0.2, 0.05, 0, 0, 0): "
+            "depth/image must be the "
+            "rectified image (image_rect), or obstacles are in wrong places");
+  EXPECT_EQ(noticeOf({-0.2, 0.05, 0.0, 0.0, 0.0}, 4.0), "") << "of the same calibration, in a new message";
+  EXPECT_NE(noticeOf({-0.1, 0.05, 0.0, 0.0, 0.0}, 5.0), "") << "of another";
+}
+
 TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)
 {
   DepthInput input("/camera/camera_info");

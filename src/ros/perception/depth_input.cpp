@@ -55,6 +55,19 @@ std::string sizeText(std::uint32_t width, std::uint32_t height)
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
+/// An image that was rectified has the same camera_info as the one that it was made of: nobody can tell from it which of
+/// them has come.
+std::string distortionNotice(const sensor_msgs::CameraInfo& info, const std::string& topic)
+{
+  if (std::all_of(info.D.begin(), info.D.end(), [](double coefficient) { return coefficient == 0.0; }))
+    return {};
+  std::string coefficients;
+  for (std::size_t k = 0; k < std::min(info.D.size(), std::size_t{5}); ++k)
+    coefficients += (k > 0 ? ", " : "") + parameters::numberText(info.D[k]);
+  return topic + " has a lens distortion (" + info.distortion_model + ", D begins " + coefficients +
+         "): depth/image must be the rectified image (image_rect), or obstacles are in wrong places";
+}
+
 }  // namespace
 
 void DepthInput::setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
@@ -127,10 +140,11 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
   const bool same_calibration =
       info_of_rays_ == info_ ||
       (info_of_rays_ && info_of_rays_->P == info.P && info_of_rays_->K == info.K &&
-       info_of_rays_->roi == info.roi && info_of_rays_->binning_x == info.binning_x &&
-       info_of_rays_->binning_y == info.binning_y);
+       info_of_rays_->D == info.D && info_of_rays_->roi == info.roi &&
+       info_of_rays_->binning_x == info.binning_x && info_of_rays_->binning_y == info.binning_y);
   if (!same_size || !same_calibration) {
     rays_ = perception::PinholeRays::make(image.width, image.height, k.fx, k.fy, k.cx, k.cy);
+    notice_ = distortionNotice(info, info_topic_);
     info_of_rays_ = info_;
   }
   return {};

@@ -38,10 +38,14 @@ public:
   ///         focal lengths
   ros_common::Expected<perception::PointView> view(const sensor_msgs::Image& image, double unit = 0.001);
 
+  /// What is to be said of the calibration that the last view took on, once for each; empty: nothing.
+  std::string takeNotice() { return std::exchange(notice_, {}); }
+
 private:
   std::string adoptCalibration(const sensor_msgs::Image& image);
 
   std::string info_topic_;
+  std::string notice_;
   sensor_msgs::CameraInfoConstPtr info_;
   sensor_msgs::CameraInfoConstPtr info_of_rays_;
   std::optional<ros::Time> last_image_;

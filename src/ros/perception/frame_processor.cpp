@@ -61,6 +61,8 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     reject("input", (frame.cloud ? "cloud rejected: " : "depth image rejected: ") + points.error());
     return true;
   }
+  if (const std::string notice = depth_input_.takeNotice(); !notice.empty())
+    log_.warn("distortion", shortened(notice));
   if (const std::string error = frameError(header.frame_id); !error.empty()) {
     reject("input", error);
     return true;
