@@ -67,7 +67,10 @@ class DiagnosticsTest(unittest.TestCase):
             mean, longest = (float(values['Time of %s %s [ms]' % (stage, k)]) for k in ('mean', 'max'))
             self.assertTrue(0.0 < mean <= longest, (stage, mean, longest))
 
-        self.wait_for(DiagnosticStatus.WARN, 'no floor in view', self.wall)
+        self.assertNotIn('Floor not seen because', values)
+
+        values = self.wait_for(DiagnosticStatus.WARN, 'no floor in view', self.wall)
+        self.assertIn('no plane in view faces up', values['Floor not seen because'])
 
         values = self.wait_for(DiagnosticStatus.ERROR, 'every frame is rejected', self.spoilt)
         self.assertIn("header.frame_id is '/camera'", values['Last rejection'])

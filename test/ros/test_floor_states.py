@@ -60,6 +60,15 @@ class FloorStatesTest(unittest.TestCase):
     def test_no_floor_is_an_answer_on_every_topic(self):
         self.check_no_floor(self.see_nothing())
 
+    def test_a_floor_that_is_missing_for_long_is_said_once_with_the_reason(self):
+        self.see_floor()
+        self.client.logs.clear()
+        for _ in range(9):
+            self.see_nothing(self.clock.tick(1.0))
+        said = self.client.wait_for_log('no floor for 5 s: no plane in view faces up', 'initial_up')
+        self.assertIn('from the up vector', said)
+        self.assertEqual(len([l for l in self.client.logs if 'no floor for' in l.msg]), 1, 'warnings')
+
     def test_no_floor_sends_no_transform(self):
         stamp = self.see_nothing()['floor'].header.stamp
         later = self.see_floor()['floor'].header.stamp

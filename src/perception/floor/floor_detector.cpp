@@ -1,5 +1,6 @@
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 
+#include "perception/floor/floor_absence.hpp"
 #include "perception/floor/floor_refinement.hpp"
 #include "perception/floor/floor_selection.hpp"
 #include "perception/planes/plane_extraction.hpp"
@@ -50,6 +51,11 @@ FloorDetector::~FloorDetector() = default;
 const PlaneExtraction& FloorDetector::extraction() const
 {
   return workspace_->extraction;
+}
+
+FloorAbsence FloorDetector::absence(const FloorPrior& prior) const
+{
+  return explainAbsence(workspace_->extraction, parameters_.selection, prior);
 }
 
 std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, const SampleGrid& grid,

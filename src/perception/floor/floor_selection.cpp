@@ -102,7 +102,7 @@ void FloorSelection::rate(const PlaneExtraction& extraction, const FloorSelectio
 void FloorSelection::collect(const PlaneExtraction& extraction, const FloorSelectionParameters& parameters,
                              const FloorPrior& prior)
 {
-  const double max_tilt = parameters.max_tilt + (prior.up_is_measured ? 0.0 : parameters.seed_slack);
+  const double max_tilt = parameters.maxTilt(prior.up_is_measured);
   samples_ = extraction.samples().size();
   candidates_.clear();
   candidate_of_.assign(extraction.planes().size(), -1);

@@ -69,7 +69,7 @@ void FloorTracker::remember(const DetectedFloor& floor, double stamp)
     }
     *same = {offset, stamp};
   }
-  state_ = {FloorStatus::kFound, floor, 0.0};
+  state_ = {FloorStatus::kFound, floor, 0.0, std::nullopt};
   view_is_new_ = false;
   found_stamp_ = stamp;
 }
@@ -84,9 +84,13 @@ const FloorState& FloorTracker::update(const PointView& points, const SampleGrid
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
   if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
 
-  if (const auto floor = detector_.detect(points, grid, prior(stamp, up_from_tf))) {
+  const FloorPrior known = prior(stamp, up_from_tf);
+  if (const auto floor = detector_.detect(points, grid, known)) {
     remember(*floor, stamp);
-  } else if (state_.status != FloorStatus::kNotFound && time_passes) {
+    return state_;
+  }
+  state_.absence = detector_.absence(known);
+  if (state_.status != FloorStatus::kNotFound && time_passes) {
     state_.status = FloorStatus::kHeld;
     state_.age = stamp - *found_stamp_;
   } else {

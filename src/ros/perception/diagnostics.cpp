@@ -1,5 +1,7 @@
 #include "ros/perception/diagnostics.hpp"
 
+#include "ros/perception/floor_absence_text.hpp"
+
 namespace polygonal_perception::ros_perception {
 
 namespace {
@@ -54,6 +56,7 @@ void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& 
   summarize(state, statistics, statistics.silence(now), status);
   status.addf("Input rate [Hz]", "%.1f", statistics.rate(now));
   status.add("Floor", textOf(state.floor.status));
+  if (state.floor.absence) status.add("Floor not seen because", absenceText(*state.floor.absence));
   if (state.floor.status != perception::FloorStatus::kNotFound) {
     status.addf("Camera height [m]", "%.3f", state.floor.floor.plane.distance);
     if (state.attitude) {

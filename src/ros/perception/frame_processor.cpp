@@ -3,13 +3,17 @@
 #include <chrono>
 #include <exception>
 
+#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "ros/perception/cloud_input.hpp"
+#include "ros/perception/floor_absence_text.hpp"
 #include "ros/perception/floor_transforms.hpp"
 
 namespace polygonal_perception::ros_perception {
 
 namespace {
+
+constexpr double kLongWithoutFloor = 5.0;  // [s]
 
 /// A frame_id or an encoding may have megabytes, which would go into each report.
 std::string shortened(const std::string& text)
@@ -74,6 +78,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   if (may_wait && !transforms.missing().empty()) return false;
 
   runPipeline(header, *points, transforms);
+  sayMissingFloor(header.stamp);
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
   broadcast(header);
@@ -158,6 +163,24 @@ void FrameProcessor::broadcast(const std_msgs::Header& header)
   broadcaster_.sendTransform(toTransform(header, parameters_.floor_frame, result.to_floor_frame));
 }
 
+/// A robot loses its floor before every wall: only what lasts is worth a warning, one.
+void FrameProcessor::sayMissingFloor(const ros::Time& stamp)
+{
+  const perception::FloorState& floor = pipeline_.result().floor;
+  const bool is_missing = floor.status == perception::FloorStatus::kNotFound;
+  if (!is_missing || !without_floor_since_) {
+    without_floor_since_.reset();
+    if (is_missing) without_floor_since_ = stamp;
+    is_missing_floor_said_ = false;
+    return;
+  }
+  if (is_missing_floor_said_ || !floor.absence || (stamp - *without_floor_since_).toSec() < kLongWithoutFloor)
+    return;
+  is_missing_floor_said_ = true;
+  log_.warn("floor", "no floor for " + parameters::numberText(kLongWithoutFloor) +
+                         " s: " + absenceText(*floor.absence));
+}
+
 std::optional<CameraAttitude> FrameProcessor::attitude() const
 {
   const perception::Pipeline::Result& result = pipeline_.result();
@@ -174,6 +197,7 @@ void FrameProcessor::resetTime(const std::string& reason)
   resetFloor();
   if (tf_) tf_->clear();
   last_broadcast_ = ros::Time();
+  without_floor_since_.reset();
 }
 
 void FrameProcessor::reject(const char* kind, const std::string& reason)

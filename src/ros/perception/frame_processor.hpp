@@ -83,6 +83,7 @@ private:
                    const Transforms& transforms);
   OutputPose outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const;
   void broadcast(const std_msgs::Header& header);
+  void sayMissingFloor(const ros::Time& stamp);
   void reject(const char* kind, const std::string& reason);
 
   const PerceptionParameters& parameters_;
@@ -95,6 +96,8 @@ private:
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_stamp_;
   ros::Time last_broadcast_;
+  std::optional<ros::Time> without_floor_since_;
+  bool is_missing_floor_said_ = false;
 };
 
 }  // namespace polygonal_perception::ros_perception

@@ -10,6 +10,7 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/perception/floor/floor_absence.hpp"
 #include "polygonal_perception/perception/floor/floor_refinement_parameters.hpp"
 #include "polygonal_perception/perception/floor/floor_selection_parameters.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
@@ -102,6 +103,10 @@ public:
   /// @return the floor, or nothing where no plane of the frame qualifies
   std::optional<DetectedFloor> detect(const PointView& points, const SampleGrid& grid,
                                       const FloorPrior& prior);
+
+  /// Why there is none, where the last frame had no floor.
+  /// @param prior  what detect() was told
+  FloorAbsence absence(const FloorPrior& prior) const;
 
   /// What became of each sample of the last frame, in the grid's order.
   const std::vector<SampleLabel>& labels() const { return labels_; }

@@ -14,6 +14,8 @@ struct FloorSelectionParameters
   double max_camera_height = 3.0;         ///< [m]
   /// [rad] A seed is a rough guess of the camera's attitude, and max_tilt is wider by this about it.
   double seed_slack = 0.15;
+  /// [rad] By how much a floor's normal may be off the up vector.
+  double maxTilt(bool up_is_measured) const { return max_tilt + (up_is_measured ? 0.0 : seed_slack); }
 
   /// Support: ln(number of its samples), so that ten times the samples speak for it by 2.3.
 

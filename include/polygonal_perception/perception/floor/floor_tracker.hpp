@@ -27,6 +27,8 @@ struct FloorState
   FloorStatus status = FloorStatus::kNotFound;
   DetectedFloor floor;  ///< meaningful unless NOT_FOUND; when HELD it is that of an earlier frame
   double age = 0.0;     ///< [s] since the floor was FOUND
+  /// Why the last frame shows none; nothing where it does, or was not looked at.
+  std::optional<FloorAbsence> absence;
 };
 
 /// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds

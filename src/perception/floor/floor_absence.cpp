@@ -1,0 +1,44 @@
+#include "perception/floor/floor_absence.hpp"
+
+#include <algorithm>
+
+#include "polygonal_perception/geometry/angle.hpp"
+
+namespace polygonal_perception::perception {
+
+FloorAbsence explainAbsence(const PlaneExtraction& extraction, const FloorSelectionParameters& parameters,
+                            const FloorPrior& prior)
+{
+  FloorAbsence absence;
+  const std::vector<NoisySample>& samples = extraction.samples().all;
+  const auto points = std::count_if(samples.begin(), samples.end(),
+                                    [](const NoisySample& sample) { return sample.has_point; });
+  if (!samples.empty())
+    absence.point_share = static_cast<double>(points) / static_cast<double>(samples.size());
+
+  const double max_tilt = parameters.maxTilt(prior.up_is_measured);
+  const auto facesUp = [&](const ExtractedPlane& plane) {
+    return geometry::angleBetween(plane.fit.plane.normal, prior.up) <= max_tilt;
+  };
+  const auto largest = std::max_element(extraction.planes().begin(), extraction.planes().end(),
+                                        [&](const ExtractedPlane& a, const ExtractedPlane& b) {
+                                          return facesUp(a) != facesUp(b) ? facesUp(b) : a.size < b.size;
+                                        });
+  if (largest == extraction.planes().end()) return absence;
+
+  const geometry::Plane& plane = largest->fit.plane;
+  absence.normal = plane.normal;
+  absence.tilt = geometry::angleBetween(plane.normal, prior.up);
+  absence.height = plane.distance;
+  using Reason = FloorAbsence::Reason;
+  if (!facesUp(*largest)) {
+    absence.reason = Reason::kNoneFaces;
+  } else if (plane.distance < parameters.min_camera_height) {
+    absence.reason = Reason::kTooNear;
+  } else {
+    absence.reason = plane.distance > parameters.max_camera_height ? Reason::kTooFar : Reason::kUnlikely;
+  }
+  return absence;
+}
+
+}  // namespace polygonal_perception::perception
