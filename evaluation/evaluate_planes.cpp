@@ -74,8 +74,10 @@ Row run(const Options& options, const Thresholds& thresholds, const std::string&
     if (!options.pictures.empty()) {
       cv::Mat3b picture = paintTruth(pinhole, frame);
       drawPlanes(result.planes, pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy, picture);
-      cv::imwrite(options.pictures + "/" + scene + "_" + trajectory + "_" + std::to_string(k) + ".png",
-                  picture);
+      std::string file = options.pictures;
+      file.append("/").append(scene).append("_").append(trajectory).append("_");
+      file.append(std::to_string(k)).append(".png");
+      cv::imwrite(file, picture);
     }
     row.planes_ms.push_back(std::chrono::duration<double, std::milli>(result.times.planes).count());
   }

@@ -125,6 +125,7 @@ PlaneChecker::Found PlaneChecker::look(const SimulatedFrame& frame, const percep
   }
   pixels.erase(ScenePlanes::kNone);
   std::vector<std::pair<int, std::uint16_t>> by_count;
+  by_count.reserve(pixels.size());
   for (const auto& [number, count] : pixels) by_count.emplace_back(count, number);
   std::sort(by_count.rbegin(), by_count.rend());
   if (!by_count.empty()) {

@@ -132,7 +132,7 @@ public:
   /// The point of pixel (u, v) [m], with a NaN coordinate where there is no return.
   Eigen::Vector3f point(std::uint32_t u, std::uint32_t v) const
   {
-    const Eigen::Vector3f point = layout_ == PointLayout::kCloud ? cloudPoint(u, v) : depthPoint(u, v);
+    Eigen::Vector3f point = layout_ == PointLayout::kCloud ? cloudPoint(u, v) : depthPoint(u, v);
     const float squared = point.squaredNorm();
     // Written so that NaN fails.
     if (squared >= nearest_squared_ && squared <= farthest_squared_) return point;
