@@ -22,7 +22,7 @@ TEST(FloorAbsenceText, NamesWhatWasSeenAndTheParameterThatSaysOtherwise)
 {
   using Reason = FloorAbsence::Reason;
   EXPECT_EQ(textOf(Reason::kNoPlane), "no plane in view; 4 % of the samples have a return");
-  EXPECT_EQ(textOf(Reason::kNoneFaces),
+  EXPECT_EQ(textOf(Reason::kNoneFacesUp),
             "no plane in view faces up: the largest faces (0.00, 0.60, -0.80), 86 degrees from the up "
             "vector; if that is the "
             "floor, set initial_up to it");

@@ -32,7 +32,7 @@ FloorAbsence explainAbsence(const PlaneExtraction& extraction, const FloorSelect
   absence.height = plane.distance;
   using Reason = FloorAbsence::Reason;
   if (!facesUp(*largest)) {
-    absence.reason = Reason::kNoneFaces;
+    absence.reason = Reason::kNoneFacesUp;
   } else if (plane.distance < parameters.min_camera_height) {
     absence.reason = Reason::kTooNear;
   } else {

@@ -22,7 +22,7 @@ std::string absenceText(const perception::FloorAbsence& absence)
 {
   using Reason = perception::FloorAbsence::Reason;
   switch (absence.reason) {
-    case Reason::kNoneFaces:
+    case Reason::kNoneFacesUp:
       return print(
           "no plane in view faces up: the largest faces (%.2f, %.2f, %.2f), %.0f degrees from the up vector; "
           "if that is "

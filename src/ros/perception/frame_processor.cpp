@@ -197,7 +197,6 @@ void FrameProcessor::resetTime(const std::string& reason)
   resetFloor();
   if (tf_) tf_->clear();
   last_broadcast_ = ros::Time();
-  without_floor_since_.reset();
 }
 
 void FrameProcessor::reject(const char* kind, const std::string& reason)

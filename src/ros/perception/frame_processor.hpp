@@ -52,7 +52,11 @@ public:
   void configure(const perception::Pipeline::Parameters& parameters) { pipeline_.configure(parameters); }
 
   /// Forgets the floor.
-  void resetFloor() { pipeline_.reset(); }
+  void resetFloor()
+  {
+    pipeline_.reset();
+    without_floor_since_.reset();  // nobody looked for one in a pause
+  }
   /// Forgets all that has a time, the floor and the transforms, and says so in the log.
   void resetTime(const std::string& reason);
   /// Of the last frame that was not refused.

@@ -45,7 +45,7 @@ TEST(FloorAbsence, BeforeAWallNothingFacesUpAndTheWallIsNamed)
   scene.add({-Eigen::Vector3d::UnitZ(), 1.5});
   const auto absence = absenceIn(scene);
   ASSERT_TRUE(absence);
-  EXPECT_EQ(absence->reason, Reason::kNoneFaces);
+  EXPECT_EQ(absence->reason, Reason::kNoneFacesUp);
   EXPECT_TRUE(absence->normal.isApprox(-Eigen::Vector3d::UnitZ(), 1e-3)) << absence->normal.transpose();
   EXPECT_NEAR(absence->tilt, 1.5708, 1e-3);
   EXPECT_EQ(absence->point_share, 1.0);
@@ -59,7 +59,7 @@ TEST(FloorAbsence, OfACameraUpsideDownTheFloorIsThePlaneThatFacesDown)
   scene.add({-Eigen::Vector3d::UnitZ(), 5.0});
   const auto absence = absenceIn(scene);
   ASSERT_TRUE(absence);
-  EXPECT_EQ(absence->reason, Reason::kNoneFaces);
+  EXPECT_EQ(absence->reason, Reason::kNoneFacesUp);
   EXPECT_GT(absence->tilt, 1.5) << "what initial_up would have to be is in its normal: "
                                 << absence->normal.transpose();
 }

@@ -10,11 +10,11 @@ struct FloorAbsence
 {
   enum class Reason : std::uint8_t
   {
-    kNoPlane,    ///< the samples lie on no plane, or are too few
-    kNoneFaces,  ///< no plane faces up, as far as up is known
-    kTooNear,    ///< the camera is lower above the plane than it can be above a floor
-    kTooFar,     ///< it is higher
-    kUnlikely    ///< too much lies below the plane, or too few pixels bear it out
+    kNoPlane,      ///< the samples lie on no plane, or are too few
+    kNoneFacesUp,  ///< no plane faces up, as far as up is known
+    kTooNear,      ///< the camera is lower above the plane than it can be above a floor
+    kTooFar,       ///< it is higher
+    kUnlikely      ///< too much lies below the plane, or too few pixels bear it out
   };
 
   Reason reason = Reason::kNoPlane;
