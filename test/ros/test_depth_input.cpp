@@ -172,6 +172,17 @@ TEST(DepthInput, DoesNotWaitForAnInfoThatCameOnce)
   EXPECT_FALSE(input.awaitsCameraInfo(millimetres(2.0)));
 }
 
+TEST(DepthInput, AnImageThatIsRefusedDoesNotEndTheWaitForPairs)
+{
+  DepthInput input("/camera/camera_info");
+  input.setCameraInfo(info(1.0));
+  ASSERT_TRUE(input.view(millimetres(1.0)));
+  sensor_msgs::Image bad = millimetres(0.0);
+  bad.encoding = "bgr8";
+  EXPECT_FALSE(input.view(bad));
+  EXPECT_TRUE(input.awaitsCameraInfo(millimetres(2.0))) << "the last good image had its pair";
+}
+
 TEST(DepthInput, SaysWhatIsWrongWithTheImage)
 {
   using Image = sensor_msgs::Image;

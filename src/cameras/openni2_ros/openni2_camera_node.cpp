@@ -12,31 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "cameras/openni2/depth_modes.hpp"
 #include "cameras/openni2_ros/depth_calibration.hpp"
+#include "cameras/openni2_ros/openni2_camera_parameters.hpp"
 #include "polygonal_perception/cameras/openni2/device_clock.hpp"
 #include "polygonal_perception/cameras/openni2/openni2_source.hpp"
+#include "polygonal_perception/ros/common/parameter_holder.hpp"
 
 namespace polygonal_perception::openni2_ros {
 namespace {
-
-openni2::SourceOptions readOptions(const ros::NodeHandle& node)
-{
-  openni2::SourceOptions options;
-  node.param("device_id", options.device_id, options.device_id);
-  node.param("width", options.width, options.width);
-  node.param("height", options.height, options.height);
-  node.param("rate", options.rate, options.rate);
-  int mode = 0;
-  if (node.getParam("depth_mode", mode) && !openni2::setDepthMode(mode, options)) {
-    ROS_ERROR("%s/depth_mode is %d, must be within 1..12; the mode is %dx%d at %d Hz",
-              node.getNamespace().c_str(), mode, options.width, options.height, options.rate);
-  }
-  node.param("depth_registration", options.registration, options.registration);
-  node.param("mirror", options.mirror, options.mirror);
-  node.param("loop", options.loop, options.loop);
-  return options;
-}
 
 sensor_msgs::ImagePtr toImage(const openni2::DepthFrame& frame, const std_msgs::Header& header)
 {
@@ -64,8 +47,8 @@ private:
   void onReaders();
   void onFrame(const openni2::DepthFrame& frame);
 
-  std::mutex mutex_;  // of source_, which readers that come and go speak to
-  std::string frame_id_;
+  const ros_common::ParameterHolder<OpenNI2CameraParameters> parameters_;
+  std::mutex mutex_;            // of source_, which readers that come and go speak to
   std::uint32_t sequence_ = 0;  // of the last frame: roscpp numbers messages for other processes only
   openni2::DeviceClock clock_;
   std::unique_ptr<DepthCalibration> calibration_;
@@ -76,13 +59,10 @@ private:
 
 OpenNI2CameraNode::Implementation::Implementation(const ros::NodeHandle& node,
                                                   const ros::NodeHandle& private_node)
+    : parameters_(private_node)
 {
-  const openni2::SourceOptions options = readOptions(private_node);
-  // As openni2_camera names them: registered depth is the colour camera's.
-  const std::string view = options.registration ? "rgb" : "depth";
-  private_node.param(view + "_frame_id", frame_id_, "camera_" + view + "_optical_frame");
-  const auto url = private_node.param<std::string>(view + "_camera_info_url", "");
-  calibration_ = std::make_unique<DepthCalibration>(ros::NodeHandle(node, "depth"), view, url);
+  const std::string& url = parameters_->cameraInfoUrl();
+  calibration_ = std::make_unique<DepthCalibration>(ros::NodeHandle(node, "depth"), parameters_->view(), url);
 
   // Readers may come while this is under way: they wait until all members are there.
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -95,7 +75,7 @@ OpenNI2CameraNode::Implementation::Implementation(const ros::NodeHandle& node,
       rectified_.push_back(transport.advertise(name, 1, on_image, on_image));
   }
   source_ = std::make_unique<openni2::OpenNI2Source>(
-      options, [this](const openni2::DepthFrame& frame) { onFrame(frame); },
+      parameters_->options(), [this](const openni2::DepthFrame& frame) { onFrame(frame); },
       [name = private_node.getNamespace()](openni2::Severity severity, const std::string& text) {
         if (severity == openni2::Severity::kWarning) {
           ROS_WARN("%s: %s", name.c_str(), text.c_str());
@@ -125,7 +105,7 @@ void OpenNI2CameraNode::Implementation::onFrame(const openni2::DepthFrame& frame
 {
   std_msgs::Header header;
   header.seq = ++sequence_;
-  header.frame_id = frame_id_;
+  header.frame_id = parameters_->frameId();
   header.stamp.fromSec(clock_.toHost(frame.timestamp, ros::Time::now().toSec()));
   const sensor_msgs::ImageConstPtr image = toImage(frame, header);
   raw_.publish(image, calibration_->cameraInfo(frame, header));

@@ -85,8 +85,6 @@ ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::
 {
   namespace encodings = sensor_msgs::image_encodings;
   using Result = ros_common::Expected<perception::PointView>;
-  last_image_ = image.header.stamp;
-  in_pairs_ = info_ && info_->header.stamp == last_image_;
   if (const std::string error = imageSizeError(image.width, image.height); !error.empty()) {
     return Result::failure(error);
   }
@@ -109,6 +107,8 @@ ros_common::Expected<perception::PointView> DepthInput::view(const sensor_msgs::
                            " bytes, accepted is height x step = " + std::to_string(size));
   }
   if (const std::string error = adoptCalibration(image); !error.empty()) return Result::failure(error);
+  last_image_ = image.header.stamp;
+  in_pairs_ = info_->header.stamp == last_image_;
 
   const void* const data = image.data.data();
   return whole_numbers

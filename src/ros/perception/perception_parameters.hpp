@@ -8,6 +8,7 @@
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/pipeline.hpp"
+#include "polygonal_perception/ros/common/text_rules.hpp"
 
 namespace polygonal_perception::ros_perception {
 
@@ -15,17 +16,9 @@ inline bool isInputKind(const std::string& text)
 {
   return text == "cloud" || text == "depth";
 }
-inline bool isFrame(const std::string& text)
-{
-  return !text.empty() && text.front() != '/';
-}
 inline bool isSensorNoise(const std::string& text)
 {
   return perception::SensorNoise::preset(text).has_value();
-}
-inline bool isFrameOrEmpty(const std::string& text)
-{
-  return text.empty() || isFrame(text);
 }
 
 /// Every parameter of the node: those that only the ROS side knows, and the pipeline's.
@@ -51,16 +44,16 @@ struct PerceptionParameters
           "What the camera's driver sends: a PointCloud2 or a depth image.");
     visit("depth_unit", self.depth_unit, Range{1e-5, 0.1}, "m",
           "What a number in a 16UC1 depth image means.");
-    visit("floor_frame", self.floor_frame, TextRule{"a frame", isFrame},
+    visit("floor_frame", self.floor_frame, ros_common::kFrame,
           "Child frame of the input's: on the floor under the camera, x ahead, z up.");
-    visit("output_frame", self.output_frame, TextRule{"a frame or empty", isFrameOrEmpty},
+    visit("output_frame", self.output_frame, ros_common::kFrameOrEmpty,
           "Frame of grids and polygons; empty: the floor frame. x, y and yaw come from tf, the rest from the "
           "floor.");
     visit("publish_tf", self.publish_tf, "Whether to broadcast the floor frame.");
     visit("lazy", self.lazy, "Work only while an output topic has a reader.");
     visit("initial_up", self.pipeline.tracker.initial_up,
           "Where up is when nothing better is known, in the input's frame.");
-    visit("up_frame", self.up_frame, TextRule{"a frame or empty", isFrameOrEmpty},
+    visit("up_frame", self.up_frame, ros_common::kFrameOrEmpty,
           "A frame whose z axis is up, looked up at the start and whenever the floor is lost; empty: "
           "initial_up.");
     visit("up_feedback", self.pipeline.tracker.up_feedback,
