@@ -29,11 +29,9 @@ public:
 protected:
   void onInitialize() override;
 
-private Q_SLOTS:
-  /// Draws the last message as the properties are now.
-  void redraw();
-
 private:
+  /// Draws the last message as the properties are now.
+  Q_SLOT void redraw();
   void show(const PlaneArray::ConstPtr& message) override;
   Ogre::ColourValue colorOf(const Plane& plane) const;
 

@@ -33,11 +33,9 @@ public:
 protected:
   void onInitialize() override;
 
-private Q_SLOTS:
-  /// Draws the last message as the properties are now.
-  void redraw();
-
 private:
+  /// Draws the last message as the properties are now.
+  Q_SLOT void redraw();
   void show(const PolygonArray::ConstPtr& message) override;
   void paint(std::vector<PolygonShape::Polygon>& polygons);
   void drawExtent();

@@ -27,8 +27,8 @@ public:
     /// Takes in a triangle, unless it has no area.
     void add(LatticePoint a, LatticePoint b, LatticePoint c);
 
-    std::uint32_t first;  ///< the chain goes from here ...
-    std::uint32_t last;   ///< ... to here; both ends stay
+    std::uint32_t first = 0;  ///< the chain goes from here ...
+    std::uint32_t last = 0;   ///< ... to here; both ends stay
     std::array<Triangle, 3> triangles;
     std::size_t triangle_count = 0;
   };
