@@ -53,7 +53,7 @@ const CameraFrame& frameOf(Surroundings surroundings, const Size& size)
 
 Eigen::Isometry3d toFloorFrame(const CameraFrame& frame)
 {
-  return perception::floorFrame(frame.floor(), Eigen::Vector3d::UnitZ());
+  return perception::floorFrame(frame.floor(), perception::ViewAxes{});
 }
 
 void countPixels(benchmark::State& state, const Size& size)

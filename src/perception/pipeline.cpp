@@ -85,9 +85,9 @@ void Pipeline::findFloor(const Frame& frame)
   result_.floor = tracker_.update(frame.points, result_.samples, frame.stamp, frame.up_from_tf);
   if (result_.products.has(Product::kSampleLabels)) result_.labels = tracker_.detector().labels();
   if (result_.floor.status != FloorStatus::kHeld) result_.floor_hull.clear();
-  findForward(frame);
+  findViewAxes(frame);
   if (result_.floor.status == FloorStatus::kNotFound) return;
-  result_.to_floor_frame = floorFrame(result_.floor.floor.plane, result_.forward);
+  result_.to_floor_frame = floorFrame(result_.floor.floor.plane, result_.heading);
 }
 
 void Pipeline::listPlanes(const Frame& frame)
@@ -99,33 +99,28 @@ void Pipeline::listPlanes(const Frame& frame)
                         result_.planes);
 }
 
-void Pipeline::findForward(const Frame& frame)
+void Pipeline::findViewAxes(const Frame& frame)
 {
-  if (!forward_) {
-    const bool has_floor = result_.floor.status != FloorStatus::kNotFound;
-    const auto guess =
-        forwardAxis(frame.points, result_.samples,
-                    has_floor ? result_.floor.floor.plane.normal : parameters_.tracker.initial_up);
-    // A view without a floor may be that of a lens cap: it does not decide for the frames after it.
-    if (has_floor) forward_ = guess;
-    result_.forward = guess.value_or(Eigen::Vector3d::UnitZ());
-  } else {
-    result_.forward = *forward_;
-  }
+  const Eigen::Vector3d& initial_up = parameters_.tracker.initial_up;
+  const PointLayout layout = frame.points.layout();
+  if (layout == PointLayout::kCloud && !pixel_axes_) pixel_axes_ = viewAxesOfPixels(result_.samples);
+  const bool is_read_off = layout == PointLayout::kCloud && pixel_axes_;
+  result_.view = is_read_off ? *pixel_axes_ : conventionalViewAxes(layout, initial_up);
+  const auto& forward = parameters_.view.forward;
+  result_.heading = forward ? viewAxesAlong(*forward, initial_up) : result_.view;
 }
 
 void Pipeline::skip()
 {
   clearResult({});
   result_.floor = FloorState{};
-  result_.forward = forward_.value_or(Eigen::Vector3d::UnitZ());
 }
 
 void Pipeline::reset()
 {
   tracker_.reset();
   segmentation_.reset();
-  forward_.reset();
+  pixel_axes_.reset();
   skip();
   result_.floor_hull.clear();
 }

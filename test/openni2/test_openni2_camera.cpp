@@ -84,7 +84,7 @@ protected:
 std::vector<cv::Point2f> obstaclePoints(const simulation::SimulatedFrame& frame,
                                         const simulation::PinholeCamera& camera)
 {
-  const Eigen::Isometry3d to_floor = perception::floorFrame(frame.floor, Eigen::Vector3d::UnitZ());
+  const Eigen::Isometry3d to_floor = perception::floorFrame(frame.floor, perception::ViewAxes{});
   std::vector<cv::Point2f> points;
   for (std::size_t i = 0; i < frame.depth.size(); i += 3) {
     const double z = frame.truth.depth[i];

@@ -132,7 +132,7 @@ TEST_F(PipelineTest, GivesTheProductsThatAreAskedFor)
     EXPECT_LT(point.z(), 0.601F) << point.transpose();
   }
   EXPECT_EQ(result.occupancy.count(), 0U) << "nobody asked for the grid";
-  EXPECT_EQ(result.forward, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(result.view.forward, Eigen::Vector3d::UnitZ());
 }
 
 TEST_F(PipelineTest, APlaneThatNobodyFollowedGetsANewId)

@@ -79,6 +79,8 @@ TEST_F(DiagnosticsTest, CountsRateAndTimes)
   state_.floor.status = perception::FloorStatus::kFound;
   state_.floor.floor.plane.distance = 1.25;
   state_.attitude = CameraAttitude{0.5, -0.1};
+  state_.heading = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(),
+                    perception::ViewAxes::Source::kParameter};
   const DiagnosticStatus status = report(milliseconds(1000));
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "floor found");
@@ -87,6 +89,7 @@ TEST_F(DiagnosticsTest, CountsRateAndTimes)
   EXPECT_EQ(values_["Frames rejected"], "0");
   EXPECT_EQ(values_["Frames dropped"], "3");
   EXPECT_EQ(values_["Camera height [m]"], "1.250");
+  EXPECT_EQ(values_["Ahead"], "(1, 0, 0): the parameter forward");
   EXPECT_EQ(values_["Camera pitch [deg]"], "28.65");
   EXPECT_EQ(values_["Camera roll [deg]"], "-5.73");
   EXPECT_EQ(values_["Time of samples mean [ms]"], "1.000");

@@ -33,8 +33,7 @@ Eigen::Isometry3d camera(double x, double y, double z, double yaw, double pitch,
 /// What the detector would find of a floor at z = 0.
 Eigen::Isometry3d toFloor(const Eigen::Isometry3d& camera)
 {
-  return perception::floorFrame({camera.linear().row(2).transpose(), camera.translation().z()},
-                                Eigen::Vector3d::UnitZ());
+  return perception::floorFrame({camera.linear().row(2).transpose(), camera.translation().z()}, perception::ViewAxes{});
 }
 
 TEST(OutputPose, IsThePlaceUnderTheCameraAndItsHeading)

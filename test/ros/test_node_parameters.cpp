@@ -57,6 +57,7 @@ TEST_F(NodeParametersTest, GoodValuesAreTaken)
   handle_.setParam("grid_length", 4);  // a whole number will do
   handle_.setParam("samples_x", 16);
   handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 1.0});
+  handle_.setParam("forward", std::vector<double>{0.0, 2.0, 0.0});
   const PerceptionParameters parameters = read();
   EXPECT_TRUE(errors_.empty()) << errors_.front();
   EXPECT_EQ(parameters.input, "depth");
@@ -66,6 +67,7 @@ TEST_F(NodeParametersTest, GoodValuesAreTaken)
   EXPECT_EQ(parameters.pipeline.grid.grid_length, 4.0);
   EXPECT_EQ(parameters.pipeline.samples.samples_x, 16);
   EXPECT_EQ(parameters.pipeline.tracker.initial_up, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(parameters.pipeline.view.forward, Eigen::Vector3d(0.0, 2.0, 0.0));
 }
 
 TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
@@ -75,6 +77,7 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   handle_.setParam("floor_frame", "/floor");
   handle_.setParam("lazy", "perhaps");
   handle_.setParam("initial_up", std::vector<double>{0.0, 0.0, 0.0});
+  handle_.setParam("forward", std::vector<double>{1.0});
   handle_.setParam("samples_x", 3.5);
   handle_.setParam("max_tilt", 3);
   handle_.setParam("lower_plane_weight", "many");
@@ -87,6 +90,10 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
                    "parameter " + name +
                        "/initial_up is {0,0,0}, accepted is a list of three numbers that are not "
                        "all zero" +
+                       stays,
+                   "parameter " + name +
+                       "/forward is {1}, accepted is an empty list, or one of three numbers that are not all "
+                       "zero" +
                        stays,
                    "parameter " + name + "/samples_x is 3.5, accepted is 4 to 256 (a whole number)" + stays,
                    "parameter " + name + "/max_tilt is 3, accepted is 0.01 to 1.4 rad" + stays,
@@ -209,6 +216,7 @@ TEST(ParameterTable, HasARowAParameter)
   const std::string table = PerceptionNode::parameterTable();
   EXPECT_NE(table.find("| `robot_radius` | double | 0.3 | 0 to 5 m | Radius"), std::string::npos) << table;
   EXPECT_NE(table.find("| `initial_up` | list | [0, -1, 0] | not zero |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| `forward` | list | [] | empty or not zero |"), std::string::npos) << table;
   EXPECT_NE(table.find("| `output_frame` | string | (empty) | a frame or empty |"), std::string::npos)
       << table;
 }

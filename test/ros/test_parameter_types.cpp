@@ -53,16 +53,25 @@ public:
   }
   void operator()(const char* name, Eigen::Vector3d& value, const char* /*help*/)
   {
-    add(name, value.transpose(), [](XmlRpcValue& from) {
-      if (from.getType() != XmlRpcValue::TypeArray || from.size() != 3) return false;
-      const Eigen::Vector3d vector(numberOf(from[0]), numberOf(from[1]), numberOf(from[2]));
-      return vector.allFinite() && !vector.isZero(0.0);
+    add(name, value.transpose(), isDirection);
+  }
+  void operator()(const char* name, std::optional<Eigen::Vector3d>& value, const char* /*help*/)
+  {
+    add(name, value.value_or(Eigen::Vector3d::Zero()).transpose(), [](XmlRpcValue& from) {
+      return (from.getType() == XmlRpcValue::TypeArray && from.size() == 0) || isDirection(from);
     });
   }
 
   std::vector<Entry> entries;
 
 private:
+  static bool isDirection(XmlRpcValue& from)
+  {
+    if (from.getType() != XmlRpcValue::TypeArray || from.size() != 3) return false;
+    const Eigen::Vector3d vector(numberOf(from[0]), numberOf(from[1]), numberOf(from[2]));
+    return vector.allFinite() && !vector.isZero(0.0);
+  }
+
   static double numberOf(XmlRpcValue& from)
   {
     if (from.getType() == XmlRpcValue::TypeInt) return static_cast<int>(from);

@@ -26,7 +26,7 @@ struct BoxScene
                                          0.5 * (height - 1.0));
   }
 
-  Eigen::Isometry3d toFloorFrame() const { return perception::floorFrame(floor, Eigen::Vector3d::UnitZ()); }
+  Eigen::Isometry3d toFloorFrame() const { return perception::floorFrame(floor, perception::ViewAxes{}); }
 
   /// [m] NaN where the ray of a pixel meets nothing within 8 m.
   std::vector<float> depth() const

@@ -17,7 +17,8 @@ namespace polygonal_perception::parameters {
 ///     visit(name, self.number, Range{min, max}, unit, help);     int or double
 ///     visit(name, self.text, TextRule{accepted, accepts}, help); std::string
 ///     visit(name, self.flag, help);                              bool
-///     visit(name, self.direction, help);                         Eigen::Vector3d, any but the zero vector
+///     visit(name, self.direction, help);                         Eigen::Vector3d, any but the zero vector,
+///                                                                or std::optional of it
 ///
 /// Names are those of the ROS parameters, unique within a node. ROS nodes read, check and document their
 /// parameters through it, and let dynamic_reconfigure change the numbers, except for those whose range says

@@ -9,6 +9,7 @@
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/perception/floor/view_axes.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/drop_offs.hpp"
 #include "polygonal_perception/perception/grid/inflation.hpp"
@@ -40,6 +41,7 @@ public:
     SampleGrid::Parameters samples;
     FloorTracker::Parameters tracker;
     FloorDetector::Parameters detector;
+    ViewAxesParameters view;
     PlaneSegmentation::Parameters segmentation;
     GridParameters grid;
     Projection::Parameters projection;
@@ -74,9 +76,8 @@ public:
     Products
         products;  ///< what was asked for, with all that it is made of; none: the frame was not looked at
     FloorState floor;
-    /// The camera's viewing direction in the input's frame, a unit axis: of this frame until a
-    /// floor is found, and then kept.
-    Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();
+    ViewAxes view;     ///< where the camera looks, in the input's frame
+    ViewAxes heading;  ///< what is ahead: the same, or by the parameter `forward`
     /// From the input's frame into the floor frame; meaningful unless NOT_FOUND.
     Eigen::Isometry3d to_floor_frame = Eigen::Isometry3d::Identity();
     SampleGrid samples;               ///< of the frame
@@ -101,7 +102,7 @@ public:
   /// known before.
   void skip();
 
-  /// Forgets the floor and the camera's forward direction. The result is that of a frame that was not looked
+  /// Forgets the floor and where the camera looks. The result is that of a frame that was not looked
   /// at.
   void reset();
 
@@ -119,7 +120,7 @@ private:
   void clearResult(Products products);
   void findFloor(const Frame& frame);
   void listPlanes(const Frame& frame);
-  void findForward(const Frame& frame);
+  void findViewAxes(const Frame& frame);
 
   template <class Stage>
   void run(Product product, StageTimes::Duration StageTimes::*time, Stage&& stage);
@@ -131,7 +132,7 @@ private:
   DropOffs drop_offs_;
   Inflation inflation_;
   Polygonizer polygonizer_;
-  std::optional<Eigen::Vector3d> forward_;  // as it was when a floor was first found
+  std::optional<ViewAxes> pixel_axes_;  // of the first cloud whose pixels told them
   Result result_;
 };
 

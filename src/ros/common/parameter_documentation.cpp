@@ -16,6 +16,7 @@ struct Type
   const char* operator()(const bool* /*value*/) const { return "bool"; }
   const char* operator()(const std::string* /*value*/) const { return "string"; }
   const char* operator()(const Eigen::Vector3d* /*value*/) const { return "list"; }
+  const char* operator()(const std::optional<Eigen::Vector3d>* /*value*/) const { return "list"; }
 };
 
 struct Text
@@ -28,12 +29,17 @@ struct Text
   {
     return "[" + numberText(value->x()) + ", " + numberText(value->y()) + ", " + numberText(value->z()) + "]";
   }
+  std::string operator()(const std::optional<Eigen::Vector3d>* value) const
+  {
+    return value->has_value() ? (*this)(&**value) : "[]";
+  }
 };
 
 std::string acceptedBy(const ParameterEntry& entry)
 {
   if (entry.isNumber()) return parameters::rangeText(entry.range, entry.unit);
   if (std::holds_alternative<Eigen::Vector3d*>(entry.value)) return "not zero";
+  if (std::holds_alternative<std::optional<Eigen::Vector3d>*>(entry.value)) return "empty or not zero";
   return entry.rule.accepted;
 }
 

@@ -64,6 +64,18 @@ bool take(XmlRpcValue& from, Eigen::Vector3d& to)
   return true;
 }
 
+bool take(XmlRpcValue& from, std::optional<Eigen::Vector3d>& to)
+{
+  if (from.getType() == XmlRpcValue::TypeArray && from.size() == 0) {
+    to.reset();
+    return true;
+  }
+  Eigen::Vector3d vector;
+  if (!take(from, vector)) return false;
+  to = vector;
+  return true;
+}
+
 template <class T>
 bool isAccepted(const ParameterEntry& entry, const T& value)
 {
@@ -89,6 +101,10 @@ struct Accepted
   std::string operator()(const Eigen::Vector3d* /*value*/) const
   {
     return "a list of three numbers that are not all zero";
+  }
+  std::string operator()(const std::optional<Eigen::Vector3d>* /*value*/) const
+  {
+    return "an empty list, or one of three numbers that are not all zero";
   }
 };
 

@@ -1,5 +1,6 @@
 #include "ros/perception/diagnostics.hpp"
 
+#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "ros/perception/floor_absence_text.hpp"
 
 namespace polygonal_perception::ros_perception {
@@ -23,6 +24,26 @@ const char* textOf(perception::FloorStatus status)
       break;
   }
   return "NOT_FOUND";
+}
+
+/// The axis of the input's frame that is x of the floor frame, and why.
+std::string headingText(const perception::ViewAxes& heading)
+{
+  using Source = perception::ViewAxes::Source;
+  const Eigen::Vector3d& axis = heading.forward;
+  std::string text = "(" + parameters::numberText(axis.x()) + ", " + parameters::numberText(axis.y()) + ", " +
+                     parameters::numberText(axis.z()) + "): ";
+  switch (heading.source) {
+    case Source::kPixels:
+      return text + "where the cloud's pixels look";
+    case Source::kBodyFrame:
+      return text + "x of a body frame, as initial_up is";
+    case Source::kParameter:
+      return text + "the parameter forward";
+    case Source::kConvention:
+      break;
+  }
+  return text + "the viewing axis of an optical frame";
 }
 
 void summarize(const NodeState& state, const ros_common::FrameStatistics& statistics, double silence,
@@ -59,6 +80,7 @@ void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& 
   if (state.floor.absence) status.add("Floor not seen because", absenceText(*state.floor.absence));
   if (state.floor.status != perception::FloorStatus::kNotFound) {
     status.addf("Camera height [m]", "%.3f", state.floor.floor.plane.distance);
+    status.add("Ahead", headingText(state.heading));
     if (state.attitude) {
       status.addf("Camera pitch [deg]", "%.2f", state.attitude->pitch * kDegree);
       status.addf("Camera roll [deg]", "%.2f", state.attitude->roll * kDegree);

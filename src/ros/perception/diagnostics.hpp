@@ -6,6 +6,7 @@
 #include <string>
 
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/perception/floor/view_axes.hpp"
 #include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
 #include "ros/perception/camera_attitude.hpp"
@@ -20,6 +21,7 @@ struct NodeState
   std::string awaited_topic;       ///< resolved name of the input that it cannot go on without
   bool awaited_is_published = false;
   perception::FloorState floor;
+  perception::ViewAxes heading;            ///< of the floor frame
   std::optional<CameraAttitude> attitude;  ///< where there is a floor
 };
 

@@ -148,7 +148,7 @@ OutputPose FrameProcessor::outputPose(const std::optional<Eigen::Isometry3d>& in
   if (result.floor.status == perception::FloorStatus::kNotFound) {
     // The unknown grid lies where the floor would be if tf were right about the camera's attitude.
     const geometry::Plane level{input_to_output->linear().row(2).transpose(), 0.0};
-    input_to_floor = perception::floorFrame(level, result.forward);
+    input_to_floor = perception::floorFrame(level, result.heading);
   }
   return {parameters_.output_frame, poseInOutputFrame(*input_to_output, input_to_floor)};
 }
@@ -185,7 +185,7 @@ std::optional<CameraAttitude> FrameProcessor::attitude() const
 {
   const perception::Pipeline::Result& result = pipeline_.result();
   if (result.floor.status == perception::FloorStatus::kNotFound) return std::nullopt;
-  return cameraAttitude(result.floor.floor.plane.normal, result.forward,
+  return cameraAttitude(result.floor.floor.plane.normal, result.view.forward,
                         parameters_.pipeline.tracker.initial_up);
 }
 

@@ -64,6 +64,8 @@ public:
 
   /// As it was answered last.
   const perception::FloorState& floor() const { return pipeline_.result().floor; }
+  /// What is ahead, in the input's frame.
+  const perception::ViewAxes& heading() const { return pipeline_.result().heading; }
   /// Of the camera above that floor; nothing where there is none.
   std::optional<CameraAttitude> attitude() const;
 

@@ -97,7 +97,7 @@ sensor_msgs::ImagePtr samples(const FrameResult& frame)
 {
   if (!frame.result.products.has(Product::kSampleLabels)) return nullptr;
   return toSamplesImage(frame.input, frame.points, frame.result.samples, frame.result.labels,
-                        frame.result.forward);
+                        frame.result.view.forward);
 }
 
 }  // namespace

@@ -194,6 +194,7 @@ void PerceptionNode::Implementation::diagnose(diagnostic_updater::DiagnosticStat
   state.awaited_is_published = core_.inputs.isPublished();
   if (state.active) {  // else the next frame will know nothing of the last floor
     state.floor = processor_->floor();
+    state.heading = processor_->heading();
     state.attitude = processor_->attitude();
   }
   const auto now = ros_common::FrameStatistics::Clock::now();

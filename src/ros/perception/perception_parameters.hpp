@@ -53,6 +53,7 @@ struct PerceptionParameters
     visit("lazy", self.lazy, "Work only while an output topic has a reader.");
     visit("initial_up", self.pipeline.tracker.initial_up,
           "Where up is when nothing better is known, in the input's frame.");
+    perception::ViewAxesParameters::describe(self.pipeline.view, visit);
     visit("up_frame", self.up_frame, ros_common::kFrameOrEmpty,
           "A frame whose z axis is up, looked up at the start and whenever the floor is lost; empty: "
           "initial_up.");

@@ -1,17 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "support/plane_scene.hpp"
 
 namespace polygonal_perception::perception {
 namespace {
 
 TEST(FloorFrame, LevelOpticalCameraMapsForwardToX)
 {
-  const Eigen::Isometry3d m = floorFrame({-Eigen::Vector3d::UnitY(), 0.8}, Eigen::Vector3d::UnitZ());
+  const Eigen::Isometry3d m = floorFrame({-Eigen::Vector3d::UnitY(), 0.8}, ViewAxes{});
   // A point 2 m ahead, 0.5 m to the right, 0.3 m below the camera stands 0.5 m above the floor.
   EXPECT_TRUE((m * Eigen::Vector3d(0.5, 0.3, 2.0)).isApprox(Eigen::Vector3d(2.0, -0.5, 0.5), 1e-12))
       << (m * Eigen::Vector3d(0.5, 0.3, 2.0)).transpose();
@@ -19,98 +18,46 @@ TEST(FloorFrame, LevelOpticalCameraMapsForwardToX)
 
 TEST(FloorFrame, ExactlyLevelBodyFrameIsAPureLift)
 {
-  const Eigen::Isometry3d m = floorFrame({Eigen::Vector3d::UnitZ(), 0.5}, Eigen::Vector3d::UnitX());
+  const Eigen::Isometry3d m =
+      floorFrame({Eigen::Vector3d::UnitZ(), 0.5}, {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), {}});
   EXPECT_TRUE(m.linear().isIdentity(1e-12)) << m.linear();
   EXPECT_TRUE(m.translation().isApprox(Eigen::Vector3d(0, 0, 0.5)));
 }
 
-TEST(FloorFrame, LookingStraightDownStillGivesARotation)
+/// What is ahead of a camera that is pitched down and rolled about its viewing axis, in its optical frame.
+Eigen::Vector3d aheadOf(double pitch, double roll)
 {
-  const Eigen::Isometry3d m = floorFrame({-Eigen::Vector3d::UnitZ(), 1.0}, Eigen::Vector3d::UnitZ());
-  EXPECT_NEAR(m.linear().determinant(), 1.0, 1e-12);
-  EXPECT_TRUE((m.linear() * m.linear().transpose()).isIdentity(1e-12)) << m.linear();
+  return {std::sin(roll) * std::sin(pitch), -std::cos(roll) * std::sin(pitch), std::cos(pitch)};
 }
 
-const Eigen::Vector3d kOpticalUp = -Eigen::Vector3d::UnitY();
-const Eigen::Vector3d kBodyUp = Eigen::Vector3d::UnitZ();
-
-/// A cloud of a wide camera, 120 degrees across, 0.8 m above a floor and before a wall, in the frame of any
-/// axes.
-class WideView
+TEST(FloorFrame, XIsAheadWhateverPitchAndRoll)
 {
-public:
-  /// @param first_column,last_column  returns come only from these; the image has 64
-  WideView(const Eigen::Matrix3f& from_optical, int first_column, int last_column)
-  {
-    const float slope = std::tan(1.047F) / 31.5F;
-    for (int v = 0; v < 48; ++v) {
-      for (int u = 0; u < kWidth; ++u) {
-        const Eigen::Vector3f ray((static_cast<float>(u) - 31.5F) * slope,
-                                  (static_cast<float>(v) - 15.5F) * slope, 1.0F);
-        const float depth = ray.y() > 0.2F ? 0.8F / ray.y() : 4.0F;
-        const bool seen = u >= first_column && u <= last_column;
-        points_.push_back(seen ? Eigen::Vector3f(from_optical * (depth * ray))
-                               : Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-      }
+  constexpr double kSteepest = 1.5;  // [rad] beyond, the image's upper border is what is ahead
+  for (double pitch = -kSteepest; pitch <= kSteepest; pitch += 0.1) {
+    for (double roll = -3.1; roll <= 3.1; roll += 0.2) {
+      const Eigen::Isometry3d m = floorFrame(test::floorSeenFrom(0.8, pitch, roll), ViewAxes{});
+      EXPECT_TRUE(m.linear().row(0).transpose().isApprox(aheadOf(pitch, roll), 1e-9))
+          << "pitch " << pitch << ", roll " << roll << ": " << m.linear().row(0);
     }
   }
-
-  std::optional<Eigen::Vector3d> forward(const Eigen::Vector3d& up) const
-  {
-    PointView::CloudStrides strides;
-    strides.point_step = sizeof(Eigen::Vector3f);
-    strides.row_step = kWidth * strides.point_step;
-    const PointView view = PointView::cloud(points_.data(), kWidth, 48, strides);
-    SampleGrid samples{SampleGrid::Parameters{}};
-    samples.update(view);
-    return forwardAxis(view, samples, up);
-  }
-
-private:
-  static constexpr int kWidth = 64;
-  std::vector<Eigen::Vector3f> points_;
-};
-
-/// From an optical frame into a body frame: x ahead, y left, z up.
-Eigen::Matrix3f intoBodyFrame()
-{
-  Eigen::Matrix3f turn;
-  turn << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return turn;
 }
 
-TEST(ForwardAxis, IsTheViewingAxisOfOpticalAndBodyFrames)
+TEST(FloorFrame, DoesNotTurnWhereACameraLooksStraightDown)
 {
-  EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), 0, 63).forward(kOpticalUp), Eigen::Vector3d::UnitZ());
-  EXPECT_EQ(WideView(intoBodyFrame(), 0, 63).forward(kBodyUp), Eigen::Vector3d::UnitX());
-}
-
-TEST(ForwardAxis, DoesNotTurnToTheSideThatReturnsPoints)
-{
-  for (const auto& [first, last] : {std::pair(0, 12), std::pair(50, 63)}) {
-    EXPECT_EQ(WideView(Eigen::Matrix3f::Identity(), first, last).forward(kOpticalUp),
-              Eigen::Vector3d::UnitZ())
-        << "columns " << first << " to " << last;
-    EXPECT_EQ(WideView(intoBodyFrame(), first, last).forward(kBodyUp), Eigen::Vector3d::UnitX())
-        << "columns " << first << " to " << last;
+  for (double pitch = 1.3; pitch < 1.9; pitch += 0.01) {
+    const Eigen::Isometry3d m = floorFrame(test::floorSeenFrom(0.8, pitch), ViewAxes{});
+    // Beyond 93 degrees it looks back between its own legs, and what is ahead is where it looks.
+    const double sign = std::cos(pitch) < -0.05 ? -1.0 : 1.0;
+    EXPECT_TRUE(m.linear().row(0).transpose().isApprox(sign * aheadOf(pitch, 0.0), 1e-9))
+        << "pitch " << pitch << ": " << m.linear().row(0);
+    EXPECT_NEAR(m.linear().determinant(), 1.0, 1e-12);
   }
 }
 
-TEST(ForwardAxis, IsNotDownInAFrameThatIsKeptLevelBelowASteepCamera)
+TEST(FloorFrame, LooksStraightUpWithTheImagesLowerBorderAhead)
 {
-  for (const double pitch : {0.3, 0.8, 1.2}) {
-    const Eigen::Matrix3f level =
-        Eigen::AngleAxisf(static_cast<float>(pitch), Eigen::Vector3f::UnitY()) * intoBodyFrame();
-    EXPECT_EQ(WideView(level, 0, 63).forward(kBodyUp), Eigen::Vector3d::UnitX()) << "pitch " << pitch;
-    // In the camera's own body frame up tilts instead.
-    const Eigen::Vector3d up(-std::sin(pitch), 0.0, std::cos(pitch));
-    EXPECT_EQ(WideView(intoBodyFrame(), 0, 63).forward(up), Eigen::Vector3d::UnitX()) << "pitch " << pitch;
-  }
-}
-
-TEST(ForwardAxis, IsUnknownWithoutAReturn)
-{
-  EXPECT_FALSE(WideView(Eigen::Matrix3f::Identity(), 64, 64).forward(kOpticalUp));
+  const Eigen::Isometry3d m = floorFrame({Eigen::Vector3d::UnitZ(), 1.0}, ViewAxes{});
+  EXPECT_TRUE(m.linear().row(0).transpose().isApprox(Eigen::Vector3d::UnitY())) << m.linear().row(0);
 }
 
 }  // namespace

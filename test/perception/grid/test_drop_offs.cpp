@@ -19,7 +19,7 @@ protected:
     scene.add(test::raised(floor_, -depth_of_drop));
     scene.add(floor_, [](const Eigen::Vector3d& p) { return p.z() < 2.0; });
     BinaryGrid grid{GridGeometry{GridParameters{}}};
-    DropOffs({drop_height}).mark(scene.view(), floorFrame(floor_, Eigen::Vector3d::UnitZ()), grid);
+    DropOffs({drop_height}).mark(scene.view(), floorFrame(floor_, ViewAxes{}), grid);
     return grid;
   }
 
@@ -54,7 +54,7 @@ TEST_F(DropOffsTest, PixelsWithoutReturnAreNone)
   test::PlaneScene nothing;
   nothing.depth()[200] = -std::numeric_limits<float>::infinity();
   BinaryGrid grid{GridGeometry{GridParameters{}}};
-  DropOffs({0.1}).mark(nothing.view(), floorFrame(floor_, Eigen::Vector3d::UnitZ()), grid);
+  DropOffs({0.1}).mark(nothing.view(), floorFrame(floor_, ViewAxes{}), grid);
   EXPECT_EQ(grid.count(), 0U);
 }
 

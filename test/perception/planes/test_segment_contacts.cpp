@@ -17,8 +17,9 @@ struct Drawn
     samples.columns = static_cast<std::uint32_t>(rows[0].size());
     for (std::size_t j = 0; j < rows.size(); ++j) {
       for (std::size_t i = 0; i < rows[j].size(); ++i) {
-        NoisySample sample{};
+        NoisySample sample;
         sample.point = Eigen::Vector3f(static_cast<float>(i), static_cast<float>(j), 0.0F);
+        sample.normal = Eigen::Vector3f::UnitZ();
         sample.has_point = true;
         sample.begins_row = i == 0;
         sample.ends_row = i + 1 == rows[j].size();

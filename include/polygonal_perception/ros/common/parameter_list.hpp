@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -14,7 +15,8 @@ namespace polygonal_perception::ros_common {
 /// A parameter of a struct with a describe() (parameters/parameter_table.hpp), without the struct's type.
 struct ParameterEntry
 {
-  using Value = std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*>;
+  using Value =
+      std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*, std::optional<Eigen::Vector3d>*>;
 
   std::string name;
   Value value;                             ///< the struct's member
