@@ -101,9 +101,15 @@ void Pipeline::listPlanes(const Frame& frame)
 
 void Pipeline::findViewAxes(const Frame& frame)
 {
+  // What has not looked like a pinhole's pixels in so many frames with a floor is none: a lidar's, say.
+  constexpr int kMostTries = 30;
   const Eigen::Vector3d& initial_up = parameters_.tracker.initial_up;
   const PointLayout layout = frame.points.layout();
-  if (layout == PointLayout::kCloud && !pixel_axes_) pixel_axes_ = viewAxesOfPixels(result_.samples);
+  const bool may_try = layout == PointLayout::kCloud && result_.floor.status != FloorStatus::kNotFound;
+  if (may_try && !pixel_axes_ && pixel_axes_tries_ < kMostTries) {
+    ++pixel_axes_tries_;
+    pixel_axes_ = viewAxesOfPixels(result_.samples);
+  }
   const bool is_read_off = layout == PointLayout::kCloud && pixel_axes_;
   result_.view = is_read_off ? *pixel_axes_ : conventionalViewAxes(layout, initial_up);
   const auto& forward = parameters_.view.forward;
@@ -121,6 +127,7 @@ void Pipeline::reset()
   tracker_.reset();
   segmentation_.reset();
   pixel_axes_.reset();
+  pixel_axes_tries_ = 0;
   skip();
   result_.floor_hull.clear();
 }

@@ -133,6 +133,7 @@ private:
   Inflation inflation_;
   Polygonizer polygonizer_;
   std::optional<ViewAxes> pixel_axes_;  // of the first cloud whose pixels told them
+  int pixel_axes_tries_ = 0;
   Result result_;
 };
 
