@@ -95,7 +95,7 @@ void floorOf(benchmark::State& state, Input input, int samples)
   const perception::PointView points = frameOf(Surroundings::kOffice, kVga).view(input);
   grid.update(points);
   double stamp = 0.0;
-  for (auto _ : state) tracker.update(points, grid, stamp += kFramePeriod, std::nullopt);
+  for (auto _ : state) tracker.update(points, grid, stamp += kFramePeriod, {});
   if (tracker.state().status != perception::FloorStatus::kFound) state.SkipWithError("no floor");
   state.counters["samples"] = samples * samples;
 }

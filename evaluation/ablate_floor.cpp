@@ -137,7 +137,7 @@ Outcome Frames::judge(const Parameters& parameters) const
           frame.depth.data(), frame.rays->column_slope.size() * sizeof(float), *frame.rays);
       grid.update(view);
       const auto start = std::chrono::steady_clock::now();
-      const perception::FloorState& state = tracker.update(view, grid, frame.stamp, std::nullopt);
+      const perception::FloorState& state = tracker.update(view, grid, frame.stamp, {});
       times.push_back(
           std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
       score.add({state.status, state.floor.plane, std::nullopt}, frame.floor, frame.floor_fraction);

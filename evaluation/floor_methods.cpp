@@ -26,7 +26,7 @@ public:
   }
   Answer see(const perception::PointView& points, const perception::SampleGrid& grid, double stamp) override
   {
-    const perception::FloorState& state = tracker_.update(points, grid, stamp, std::nullopt);
+    const perception::FloorState& state = tracker_.update(points, grid, stamp, {});
     return {state.status, state.floor.plane, state.floor.covariance};
   }
 

@@ -82,7 +82,7 @@ void Pipeline::clearResult(Products products)
 
 void Pipeline::findFloor(const Frame& frame)
 {
-  result_.floor = tracker_.update(frame.points, result_.samples, frame.stamp, frame.up_from_tf);
+  result_.floor = tracker_.update(frame.points, result_.samples, frame.stamp, frame.hints);
   if (result_.products.has(Product::kSampleLabels)) result_.labels = tracker_.detector().labels();
   if (result_.floor.status != FloorStatus::kHeld) result_.floor_hull.clear();
   findViewAxes(frame);
@@ -93,7 +93,7 @@ void Pipeline::findFloor(const Frame& frame)
 void Pipeline::listPlanes(const Frame& frame)
 {
   std::optional<Eigen::Vector3d> up;
-  if (frame.up_from_tf) up = frame.up_from_tf->normalized();
+  if (frame.hints.up) up = frame.hints.up->normalized();
   if (result_.floor.status != FloorStatus::kNotFound) up = result_.floor.floor.plane.normal;
   segmentation_.segment(frame.points, result_.samples, tracker_.detector(), result_.floor, up,
                         result_.planes);

@@ -21,7 +21,7 @@ enum Area
   kNone
 };
 
-constexpr float kHeldAlpha = 0.4F;  // a floor that is only HELD is paler
+constexpr float kHeldAlpha = 0.4F;  // a floor that is not seen is paler
 
 }  // namespace
 
@@ -91,7 +91,7 @@ void FloorPlaneDisplay::redraw()
 
   FloorStyle style;
   style.color = color_->getOgreColor();
-  if (message_->status == FloorPlane::HELD) style.color.a = kHeldAlpha;
+  if (message_->status != FloorPlane::FOUND) style.color.a = kHeldAlpha;
   style.alpha = alpha_->getFloat();
   style.line_width = line_width_->getFloat();
   style.normal = show_normal_->getBool();
@@ -109,6 +109,7 @@ std::string FloorPlaneDisplay::text() const
 {
   if (!show_height_->getBool()) return {};
   const QString height = QString("%1 m").arg(message_->distance, 0, 'f', 2);
+  if (message_->status == FloorPlane::ASSUMED) return (height + " (assumed)").toStdString();
   return (message_->status == FloorPlane::HELD ? height + " (held)" : height).toStdString();
 }
 

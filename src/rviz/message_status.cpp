@@ -30,6 +30,8 @@ StatusLine floorStatus(const PolygonArray& array)
       return {StatusProperty::Ok, "FOUND"};
     case FloorPlane::HELD:
       return {StatusProperty::Warn, "HELD: not found in this frame, an earlier floor still stands"};
+    case FloorPlane::ASSUMED:
+      return {StatusProperty::Warn, "ASSUMED: not in view, it is where the camera's mount says"};
     case FloorPlane::NOT_FOUND:
       return {StatusProperty::Warn, "NOT_FOUND: nothing is known of the obstacles"};
     default:
@@ -40,8 +42,7 @@ StatusLine floorStatus(const PolygonArray& array)
 StatusLine floorStatus(const FloorPlane& floor)
 {
   if (floor.status == FloorPlane::NOT_FOUND) return {StatusProperty::Warn, "NOT_FOUND"};
-  if (floor.status != FloorPlane::FOUND && floor.status != FloorPlane::HELD)
-    return unknownStatus(floor.status);
+  if (floor.status > FloorPlane::ASSUMED) return unknownStatus(floor.status);
   if (!isDrawable(floor)) {
     return {StatusProperty::Error, "The normal is not a unit vector, or a value is not finite"};
   }
@@ -49,6 +50,7 @@ StatusLine floorStatus(const FloorPlane& floor)
   if (floor.status == FloorPlane::HELD) {
     return {StatusProperty::Warn, QString("HELD for %1 s, %2").arg(floor.age, 0, 'f', 2).arg(height)};
   }
+  if (floor.status == FloorPlane::ASSUMED) return {StatusProperty::Warn, "ASSUMED, " + height};
   return {StatusProperty::Ok, QString("FOUND, %1, %2, rms error %3 mm")
                                   .arg(height, counted(floor.sample_count, "sample"))
                                   .arg(1000.0 * floor.rms_error, 0, 'f', 1)};

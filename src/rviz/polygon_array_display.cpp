@@ -23,7 +23,7 @@ enum ColorBy
   kPolygon
 };
 
-constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is only HELD are paler
+constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is not seen are paler
 // The extent stays behind the polygons: grey and thin, yet over a pixel wide from above, lest parts go
 // missing.
 constexpr float kExtentWidth = 0.015F;  // [m]

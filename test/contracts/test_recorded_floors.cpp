@@ -56,7 +56,7 @@ protected:
     if (kBent.count(frame.name) != 0) reference_ = agreement(*frame.floor, loaded.view());
     grid_.update(loaded.view());
     stamp_ += 1.0 / 30.0;
-    const perception::FloorState& state = tracker_.update(loaded.view(), grid_, stamp_, std::nullopt);
+    const perception::FloorState& state = tracker_.update(loaded.view(), grid_, stamp_, {});
     if (kBent.count(frame.name) != 0) found_ = agreement(state.floor.plane, loaded.view());
     return state;
   }

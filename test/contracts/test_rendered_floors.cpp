@@ -66,7 +66,7 @@ Errors run(const std::string& scene, const std::string& trajectory, int frames, 
     const perception::PointView view =
         perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
     grid.update(view);
-    const perception::FloorState& state = tracker.update(view, grid, frame.time, std::nullopt);
+    const perception::FloorState& state = tracker.update(view, grid, frame.time, {});
     if (frame.floor_fraction < enough_floor) continue;
     ++errors.frames;
     if (state.status != perception::FloorStatus::kFound) {

@@ -47,7 +47,7 @@ protected:
       SCOPED_TRACE(robot + ", frame " + std::to_string(k));
       const perception::PointView view =
           perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
-      const perception::Pipeline::Result& result = pipeline.process({view, frame.time, std::nullopt});
+      const perception::Pipeline::Result& result = pipeline.process({view, frame.time, {}});
       ASSERT_EQ(result.floor.status, perception::FloorStatus::kFound);
       checkFloor(result.floor.floor.plane, frame);
       // As the node places them with output_frame odom, where odometry is right.

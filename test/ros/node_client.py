@@ -25,7 +25,7 @@ OUTPUTS = {
     'obstacle_points': PointCloud2,
     'samples': Image,
 }
-NOT_FOUND, FOUND, HELD = FloorPlane.NOT_FOUND, FloorPlane.FOUND, FloorPlane.HELD
+NOT_FOUND, FOUND, HELD, ASSUMED = FloorPlane.NOT_FOUND, FloorPlane.FOUND, FloorPlane.HELD, FloorPlane.ASSUMED
 DEADLINE = 30.0  # [s] on a busy machine
 PATIENCE = 5.0  # [s] with a reader that finds no publisher
 

@@ -33,7 +33,8 @@ Eigen::Isometry3d camera(double x, double y, double z, double yaw, double pitch,
 /// What the detector would find of a floor at z = 0.
 Eigen::Isometry3d toFloor(const Eigen::Isometry3d& camera)
 {
-  return perception::floorFrame({camera.linear().row(2).transpose(), camera.translation().z()}, perception::ViewAxes{});
+  return perception::floorFrame({camera.linear().row(2).transpose(), camera.translation().z()},
+                                perception::ViewAxes{});
 }
 
 TEST(OutputPose, IsThePlaceUnderTheCameraAndItsHeading)

@@ -83,12 +83,18 @@ class LaunchTest(unittest.TestCase):
             client.wait_for(lambda: len(with_floor()) >= 10, 'ten floors with their truth', 30.0)
             reader.unregister()
             self.assertGreaterEqual(2 * len(with_floor()), len(both()), 'floors found, of all answers')
+            tilts, heights = [], []
             for key in with_floor():
                 true, found = truth[key], client.answers[key]['floor']
                 cosine = np.dot([true.normal.x, true.normal.y, true.normal.z],
                                 [found.normal.x, found.normal.y, found.normal.z])
-                self.assertLess(np.degrees(np.arccos(min(cosine, 1.0))), 1.0)
-                self.assertAlmostEqual(found.distance, true.distance, delta=0.02)
+                tilts.append(np.degrees(np.arccos(min(cosine, 1.0))))
+                heights.append(abs(found.distance - true.distance))
+            # Of the last strip of floor before a wall nobody knows the tilt to a degree.
+            self.assertLess(np.median(tilts), 0.2, tilts)
+            self.assertLess(np.median(heights), 0.003, heights)
+            self.assertLess(max(tilts), 5.0, tilts)
+            self.assertLess(max(heights), 0.05, heights)
             self.assertTrue(any(client.answers[k]['polygons'].polygons for k in with_floor()))
 
 

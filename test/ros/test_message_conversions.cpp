@@ -73,8 +73,7 @@ TEST(MessageConversions, AFloorIsSaidWhole)
   state.floor.covariance(2, 2) = 4e-6;
   state.floor.covariance(2, 3) = state.floor.covariance(3, 2) = 2e-6;
   state.floor.covariance(3, 3) = 9e-6;
-  const Eigen::Isometry3d to_floor_frame =
-      perception::floorFrame(state.floor.plane, perception::ViewAxes{});
+  const Eigen::Isometry3d to_floor_frame = perception::floorFrame(state.floor.plane, perception::ViewAxes{});
   const FloorPlanePtr message = toFloorPlane(header(), state, to_floor_frame, {{1.0F, 2.0F, 3.0F}});
   EXPECT_EQ(message->header.stamp, header().stamp);
   EXPECT_EQ(message->header.frame_id, "frame");

@@ -137,6 +137,19 @@ class TransformsTest(unittest.TestCase):
             return any('no transform from' in log.msg and "'unknown_camera'" in log.msg for log in self.client.logs)
         self.client.wait_for(complained, 'a complaint in the log')
 
+    def test_a_floor_that_tf_does_not_call_level_is_refused(self):
+        """The driver's frame_id is another than that of its points: their up is far from where tf has it."""
+        before, stamp, after = self.clock.tick(), self.clock.tick(), self.clock.tick()
+        for when in (before, after):
+            message = scene.transform('odom', 'wrong_camera', (0, 0, 0.8))
+            message.header.stamp = when
+            self.tf.publish(TFMessage([message]))
+        self.client.send(self.camera.cloud(self.camera.render(self.boxes), stamp, frame='wrong_camera'))
+        self.assertEqual(self.client.answer(stamp, ['floor'])['floor'].status, NOT_FOUND)
+        self.client.wait_for_diagnostics(
+            lambda s: any(v.key == 'Floor not seen because' and "frame_id or tf is wrong" in v.value for v in s.values),
+            'the reason')
+
     def test_a_seed_of_two_minutes_ago_is_none(self):
         before, stamp, after = self.clock.tick(), self.clock.tick(), self.clock.tick()
         self.send_pose(before, 0, 0, 0)

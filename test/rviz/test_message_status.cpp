@@ -49,6 +49,7 @@ TEST(MessageStatus, OnlyAFloorThatWasFoundIsFine)
 {
   expectStatus(floorStatus(arrayWith(FloorPlane::FOUND)), StatusProperty::Ok, "FOUND");
   expectStatus(floorStatus(arrayWith(FloorPlane::HELD)), StatusProperty::Warn, "HELD");
+  expectStatus(floorStatus(arrayWith(FloorPlane::ASSUMED)), StatusProperty::Warn, "ASSUMED");
   expectStatus(floorStatus(arrayWith(FloorPlane::NOT_FOUND)), StatusProperty::Warn, "NOT_FOUND");
   expectStatus(floorStatus(arrayWith(7)), StatusProperty::Error, "7");
 }
@@ -59,6 +60,7 @@ TEST(MessageStatus, AFloorTellsItsMeasurements)
                "height 0.835 m, 412 samples, rms error 2.1 mm");
   expectStatus(floorStatus(floorWith(FloorPlane::HELD)), StatusProperty::Warn,
                "HELD for 0.25 s, height 0.835 m");
+  expectStatus(floorStatus(floorWith(FloorPlane::ASSUMED)), StatusProperty::Warn, "ASSUMED, height 0.835 m");
   expectStatus(floorStatus(floorWith(FloorPlane::NOT_FOUND)), StatusProperty::Warn, "NOT_FOUND");
   expectStatus(floorStatus(floorWith(7)), StatusProperty::Error, "7");
 }

@@ -27,8 +27,8 @@ namespace polygonal_perception::perception {
 struct Frame
 {
   PointView points;
-  double stamp = 0.0;                         ///< [s]
-  std::optional<Eigen::Vector3d> up_from_tf;  ///< in the input's frame
+  double stamp = 0.0;  ///< [s]
+  FloorHints hints;
 };
 
 /// The way of a frame, from points to polygons.

@@ -20,7 +20,7 @@ inline void intersectCoherent(const int* valid, RTCScene scene, RTCRayHit16* ray
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
   rtcIntersect16(valid, scene, rays, &arguments);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, rays);

@@ -12,8 +12,8 @@ constexpr double kDegree = 3.141592653589793 / 180.0;
 /// A hall whose robot stands at low x and looks along x at what is raised, which begins at x = 0.
 Rectangle addHall(Scene& scene, Random& random)
 {
-  const Rectangle hall{{-random.uniform(1.6, 2.6), -random.uniform(1.6, 3.0)},
-                       {random.uniform(3.0, 6.0), random.uniform(1.6, 3.0)}};
+  Rectangle hall{{-random.uniform(1.6, 2.6), -random.uniform(1.6, 3.0)},
+                 {random.uniform(3.0, 6.0), random.uniform(1.6, 3.0)}};
   addFloor(scene, random, hall);
   const double height = random.uniform(2.5, 3.5);
   addCeiling(scene, hall, height);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "perception/floor/floor_selection.hpp"
 #include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::perception {
@@ -29,14 +30,22 @@ FloorAbsence explainAbsence(const PlaneExtraction& extraction, const FloorSelect
   const geometry::Plane& plane = largest->fit.plane;
   absence.normal = plane.normal;
   absence.tilt = geometry::angleBetween(plane.normal, prior.up);
+  absence.up_is_from_tf = prior.level.has_value();
   absence.height = plane.distance;
+  const HeightBounds bounds = prior.boundsWith(parameters);
+  absence.lowest = bounds.lowest;
+  absence.highest = bounds.highest;
+  absence.bounds_are_mounts = prior.bounds.has_value();
   using Reason = FloorAbsence::Reason;
   if (!facesUp(*largest)) {
     absence.reason = Reason::kNoneFacesUp;
-  } else if (plane.distance < parameters.min_camera_height) {
+  } else if (contradictsTf(plane, parameters, prior)) {
+    absence.reason = Reason::kNotLevelInTf;
+    absence.tilt = geometry::angleBetween(plane.normal, *prior.level);
+  } else if (plane.distance < bounds.lowest) {
     absence.reason = Reason::kTooNear;
   } else {
-    absence.reason = plane.distance > parameters.max_camera_height ? Reason::kTooFar : Reason::kUnlikely;
+    absence.reason = plane.distance > bounds.highest ? Reason::kTooFar : Reason::kUnlikely;
   }
   return absence;
 }

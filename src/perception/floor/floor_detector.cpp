@@ -14,7 +14,7 @@ namespace {
 bool continuesLast(const geometry::Plane& floor, double turn, const FloorPrior& prior)
 {
   return prior.height && std::abs(*prior.height - floor.distance) < prior.height_tolerance &&
-         (!prior.up_is_measured || geometry::angleBetween(floor.normal, prior.up) < turn);
+         (!prior.last || geometry::angleBetween(floor.normal, prior.last->normal) < turn);
 }
 
 }  // namespace
@@ -62,9 +62,7 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
                                                    const FloorPrior& prior)
 {
   auto& [extraction, selection, refinement, rivals] = *workspace_;
-  std::optional<geometry::Plane> last;
-  if (prior.height && prior.up_is_measured) last = geometry::Plane{prior.up, *prior.height};
-  extraction.extract(grid, parameters_.planes, last);
+  extraction.extract(grid, parameters_.planes, prior.last);
   selection.rate(extraction, parameters_.selection, prior);
 
   std::optional<DetectedFloor> floor;
@@ -94,17 +92,16 @@ std::optional<DetectedFloor> FloorDetector::detect(const PointView& points, cons
 std::optional<FloorDetector::Workspace::Refined> FloorDetector::Workspace::refine(
     const FloorCandidate& candidate, const Parameters& parameters, const FloorPrior& prior)
 {
-  const double deepest = parameters.selection.max_camera_height;
+  const HeightBounds bounds = prior.boundsWith(parameters.selection);
   const auto fits_the_camera = [&](const std::optional<FloorRefinement::Result>& result) {
-    return result && result->fit.plane.distance >= parameters.selection.min_camera_height &&
-           result->fit.plane.distance <= deepest;
+    return result && bounds.contain(result->fit.plane.distance);
   };
   findRivals(candidate.fit.plane, parameters.refinement);
   const auto fit = refinement.refine(candidate.fit.plane, rivals, parameters.refinement);
   if (!fits_the_camera(fit)) return std::nullopt;
   // A robot that has seen its floor for a while looks at a drop, and so does one above stairs.
   if ((prior.confirmed && candidate.continues) || candidate.leads_down) return Refined{*fit};
-  const auto strip = refinement.findStripBelow(fit->fit.plane, deepest, parameters.refinement);
+  const auto strip = refinement.findStripBelow(fit->fit.plane, bounds.highest, parameters.refinement);
   if (fits_the_camera(strip)) return Refined{*strip, true};
   return Refined{*fit};
 }

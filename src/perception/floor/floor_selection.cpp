@@ -26,13 +26,14 @@ double beginOf(const PlaneExtraction& extraction, const ExtractedPlane& plane, s
 
 /// Samples below a candidate that are of no plane parallel to it, and not deeper than a floor can be.
 double scatterBelow(const PlaneExtraction& extraction, const FloorCandidate& candidate,
-                    const FloorSelectionParameters& parameters, const std::vector<std::uint8_t>& is_parallel)
+                    const FloorSelectionParameters& parameters, double highest,
+                    const std::vector<std::uint8_t>& is_parallel)
 {
   const Eigen::Vector3f normal = candidate.fit.plane.normal.cast<float>();
   const auto distance = static_cast<float>(candidate.fit.plane.distance);
   const auto base = static_cast<float>(parameters.scatter_depth);
   const auto slope = static_cast<float>(parameters.scatter_depth_slope);
-  const auto deepest = static_cast<float>(parameters.max_camera_height);
+  const auto deepest = static_cast<float>(highest);
   int below = 0;
   for (std::uint32_t k = 0; k < extraction.samples().size(); ++k) {
     const NoisySample& sample = extraction.samples()[k];
@@ -65,7 +66,8 @@ void compareWithLast(FloorCandidate& candidate, const FloorSelectionParameters& 
   if (!prior.height) return;
   const double offset = *prior.height - candidate.fit.plane.distance;
   candidate.continues = std::abs(offset) < prior.height_tolerance &&
-                        (!prior.up_is_measured || candidate.tilt < parameters.turn);
+                        (!prior.last || geometry::angleBetween(candidate.fit.plane.normal,
+                                                               prior.last->normal) < parameters.turn);
   candidate.is_other_plane =
       !candidate.continues &&
       ((prior.confirmed && offset > parameters.farthest_drop) ||
@@ -76,7 +78,8 @@ void compareWithLast(FloorCandidate& candidate, const FloorSelectionParameters& 
 
 double scoreOf(const FloorCandidate& candidate, const FloorSelectionParameters& p, const FloorPrior& prior)
 {
-  const double tilt = candidate.tilt / (prior.up_is_measured ? p.tilt_about_measured : p.tilt_about_seed);
+  const double about = prior.up_is_measured ? p.tilt_about_measured : p.tilt_about_seed;
+  const double tilt = candidate.tilt / prior.tilt_sigma.value_or(about);
   const double size = candidate.size;
   double score = std::log(size);
   score -= 0.5 * tilt * tilt;
@@ -89,6 +92,12 @@ double scoreOf(const FloorCandidate& candidate, const FloorSelectionParameters& 
 }
 
 }  // namespace
+
+bool contradictsTf(const geometry::Plane& plane, const FloorSelectionParameters& parameters,
+                   const FloorPrior& prior)
+{
+  return prior.level && geometry::angleBetween(plane.normal, *prior.level) > parameters.farthest_from_level;
+}
 
 void FloorSelection::rate(const PlaneExtraction& extraction, const FloorSelectionParameters& parameters,
                           const FloorPrior& prior)
@@ -103,6 +112,7 @@ void FloorSelection::collect(const PlaneExtraction& extraction, const FloorSelec
                              const FloorPrior& prior)
 {
   const double max_tilt = parameters.maxTilt(prior.up_is_measured);
+  bounds_ = prior.boundsWith(parameters);
   samples_ = extraction.samples().size();
   candidates_.clear();
   candidate_of_.assign(extraction.planes().size(), -1);
@@ -113,8 +123,9 @@ void FloorSelection::collect(const PlaneExtraction& extraction, const FloorSelec
     candidate.size = plane.size;
     candidate.index = static_cast<int>(index);
     candidate.tilt = geometry::angleBetween(plane.fit.plane.normal, prior.up);
-    candidate.too_low = plane.fit.plane.distance > parameters.max_camera_height;
-    if (candidate.tilt > max_tilt || plane.fit.plane.distance < parameters.min_camera_height) continue;
+    candidate.too_low = plane.fit.plane.distance > bounds_.highest;
+    if (candidate.tilt > max_tilt || plane.fit.plane.distance < bounds_.lowest) continue;
+    if (contradictsTf(plane.fit.plane, parameters, prior)) continue;
     candidate.begin = beginOf(extraction, plane, distances_);
     candidate.middle = plane.fit.plane.normal.cross(plane.fit.centre).norm();
     compareWithLast(candidate, parameters, prior);
@@ -140,7 +151,7 @@ void FloorSelection::compare(const PlaneExtraction& extraction, const FloorSelec
           countBelow(extraction, extraction.planes()[static_cast<std::size_t>(lower.index)], upper.fit.plane,
                      parameters);
     }
-    upper.scatter = scatterBelow(extraction, upper, parameters, is_parallel_);
+    upper.scatter = scatterBelow(extraction, upper, parameters, bounds_.highest, is_parallel_);
   }
 }
 

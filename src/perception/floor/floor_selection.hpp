@@ -29,6 +29,10 @@ struct FloorCandidate
   double score = 0.0;       // [nat] the sum of what is known of it alone
 };
 
+/// Whether a plane is far from what tf calls level.
+bool contradictsTf(const geometry::Plane& plane, const FloorSelectionParameters& parameters,
+                   const FloorPrior& prior);
+
 /// Says which of a frame's planes is the floor (section III-D).
 ///
 /// Algorithm 2 takes the lowest along the up vector, and a larger one in its place by a factor. Here each plane has a
@@ -61,6 +65,7 @@ private:
   double evidence(std::size_t from, std::size_t to, const FloorSelectionParameters& parameters) const;
 
   std::size_t samples_ = 0;  // of the frame
+  HeightBounds bounds_;      // of the camera
   std::vector<FloorCandidate> candidates_;
   std::vector<double> below_;      // of each candidate, how many samples of each other one lie below it
   std::vector<int> candidate_of_;  // of each plane, or -1

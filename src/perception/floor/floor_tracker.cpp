@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polygonal_perception/geometry/angle.hpp"
+
 namespace polygonal_perception::perception {
 
 void FloorTracker::configure(const Parameters& parameters, const FloorDetector::Parameters& detector)
@@ -15,6 +17,7 @@ void FloorTracker::reset()
 {
   state_ = FloorState{};
   found_stamp_.reset();
+  is_given_up_ = false;
   last_stamp_.reset();
   view_change_.reset();
   forgetView();
@@ -27,16 +30,26 @@ void FloorTracker::forgetView()
   others_.fill(OtherPlane{});
 }
 
-FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const
+FloorPrior FloorTracker::prior(double stamp, const FloorHints& hints) const
 {
   FloorPrior prior;
-  const bool known = state_.status != FloorStatus::kNotFound && !view_is_new_;
-  if (parameters_.up_feedback && known) {
-    prior.up = state_.floor.plane.normal;
+  const bool known = standsAt(stamp) && !view_is_new_;
+  prior.level = hints.level;
+  if (hints.mount) {
+    const FloorMountParameters& mount = parameters_.mount;
+    const double slack = mount.search_sigmas * mount.mount_height_sigma;
+    prior.up = hints.mount->normal;
     prior.up_is_measured = true;
-  } else if (up_from_tf) {
-    prior.up = up_from_tf->normalized();
+    prior.tilt_sigma = mount.tilt_about_mount;
+    prior.bounds = HeightBounds{hints.mount->distance - slack, hints.mount->distance + slack};
+    prior.level = hints.mount->normal;
+  } else if (parameters_.up_feedback && known) {
+    prior.up = found_.plane.normal;
     prior.up_is_measured = true;
+  } else if (hints.up) {
+    prior.up = hints.up->normalized();
+    prior.up_is_measured = true;
+    prior.level = prior.up;
   } else {
     prior.up = parameters_.initial_up.normalized();
   }
@@ -48,9 +61,14 @@ FloorPrior FloorTracker::prior(double stamp, const std::optional<Eigen::Vector3d
       prior.others.add(other.offset);
   }
   if (unseen < parameters_.height_memory || prior.others.begin() != prior.others.end()) {
-    prior.height = state_.floor.plane.distance;
+    prior.height = found_.plane.distance;
     prior.height_tolerance = parameters_.height_tolerance + parameters_.vertical_speed * unseen;
     prior.confirmed = streak_ >= parameters_.confirmed_after && known;
+    if (known && (parameters_.up_feedback || hints.mount)) {
+      prior.last = found_.plane;
+    } else if (prior.up_is_measured) {
+      prior.last = geometry::Plane{prior.up, *prior.height};
+    }
   }
   return prior;
 }
@@ -69,36 +87,57 @@ void FloorTracker::remember(const DetectedFloor& floor, double stamp)
     }
     *same = {offset, stamp};
   }
-  state_ = {FloorStatus::kFound, floor, 0.0, std::nullopt};
+  found_ = floor;
   view_is_new_ = false;
   found_stamp_ = stamp;
+  is_given_up_ = false;
+}
+
+bool FloorTracker::isSameMount(const std::optional<geometry::Plane>& mount) const
+{
+  if (!mount || !found_mount_) return true;
+  return geometry::angleBetween(mount->normal, found_mount_->normal) < parameters_.mount.held_turn &&
+         std::abs(mount->distance - found_mount_->distance) < parameters_.mount.held_lift;
 }
 
 const FloorState& FloorTracker::update(const PointView& points, const SampleGrid& grid, double stamp,
-                                       const std::optional<Eigen::Vector3d>& up_from_tf)
+                                       const FloorHints& hints)
 {
   if (last_stamp_ && stamp < *last_stamp_) reset();
   const bool time_passes = last_stamp_ && stamp > *last_stamp_;
   last_stamp_ = stamp;
   if (view_change_.update(grid, parameters_.view_change)) forgetView();
   // What was held too long is given up before the frame is looked at, so that the frame starts from the seed.
-  if (!standsAt(stamp)) state_.status = FloorStatus::kNotFound;
+  if (!standsAt(stamp)) is_given_up_ = true;
 
-  const FloorPrior known = prior(stamp, up_from_tf);
+  const FloorPrior known = prior(stamp, hints);
+  state_ = FloorState{};
   if (const auto floor = detector_.detect(points, grid, known)) {
     remember(*floor, stamp);
+    found_mount_ = hints.mount;
+    state_.status = FloorStatus::kFound;
+    state_.floor = *floor;
+    if (hints.mount) state_.mount_error = mountError(*floor, *hints.mount, parameters_.mount);
     return state_;
   }
   state_.absence = detector_.absence(known);
-  if (state_.status != FloorStatus::kNotFound && time_passes) {
-    state_.status = FloorStatus::kHeld;
-    state_.age = stamp - *found_stamp_;
-  } else {
-    // Where the stamps stand still (a driver that sets none, a clock that stopped) nobody knows how old it
-    // is.
-    state_.status = FloorStatus::kNotFound;
-  }
+  // Where the stamps stand still (a driver that sets none, a clock that stopped) nobody knows how old a floor is.
+  if (!time_passes) is_given_up_ = true;
+  answerWithout(stamp, hints);
   return state_;
+}
+
+/// The answer to a frame that shows no floor.
+void FloorTracker::answerWithout(double stamp, const FloorHints& hints)
+{
+  if (standsAt(stamp) && isSameMount(hints.mount)) {
+    state_.status = FloorStatus::kHeld;
+    state_.floor = found_;
+    state_.age = stamp - *found_stamp_;
+  } else if (hints.mount && state_.absence->point_share >= parameters_.mount.least_view) {
+    state_.status = FloorStatus::kAssumed;
+    state_.floor = assumedFloor(*hints.mount, parameters_.mount);
+  }
 }
 
 }  // namespace polygonal_perception::perception

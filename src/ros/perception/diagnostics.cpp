@@ -20,6 +20,8 @@ const char* textOf(perception::FloorStatus status)
       return "FOUND";
     case perception::FloorStatus::kHeld:
       return "HELD";
+    case perception::FloorStatus::kAssumed:
+      return "ASSUMED";
     case perception::FloorStatus::kNotFound:
       break;
   }
@@ -64,6 +66,10 @@ void summarize(const NodeState& state, const ros_common::FrameStatistics& statis
     status.summary(DiagnosticStatus::WARN, "no floor in view");
   } else if (state.floor.status == perception::FloorStatus::kHeld) {
     status.summaryf(DiagnosticStatus::OK, "floor held for %.2f s", state.floor.age);
+  } else if (state.floor.status == perception::FloorStatus::kAssumed) {
+    status.summary(DiagnosticStatus::OK, "floor assumed where mount_frame says");
+  } else if (!state.mount_disagreement.empty()) {
+    status.summary(DiagnosticStatus::WARN, state.mount_disagreement);
   } else {
     status.summary(DiagnosticStatus::OK, "floor found");
   }

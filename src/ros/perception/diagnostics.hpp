@@ -23,6 +23,7 @@ struct NodeState
   perception::FloorState floor;
   perception::ViewAxes heading;            ///< of the floor frame
   std::optional<CameraAttitude> attitude;  ///< where there is a floor
+  std::string mount_disagreement;          ///< where it was found elsewhere than mount_frame says, else empty
 };
 
 /// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to

@@ -3,17 +3,21 @@
 #include <chrono>
 #include <exception>
 
-#include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "ros/perception/cloud_input.hpp"
-#include "ros/perception/floor_absence_text.hpp"
 #include "ros/perception/floor_transforms.hpp"
+#include "ros/perception/mount_error_text.hpp"
+#include "ros/perception/printed.hpp"
 
 namespace polygonal_perception::ros_perception {
 
 namespace {
 
-constexpr double kLongWithoutFloor = 5.0;  // [s]
+/// The floor in the input's frame: z = 0 of the mount's frame.
+geometry::Plane floorOfMount(const Eigen::Isometry3d& input_to_mount)
+{
+  return {input_to_mount.linear().row(2).transpose(), input_to_mount.translation().z()};
+}
 
 /// A frame_id or an encoding may have megabytes, which would go into each report.
 std::string shortened(const std::string& text)
@@ -35,9 +39,10 @@ FrameProcessor::FrameProcessor(const PerceptionParameters& parameters, const std
       statistics_(statistics),
       log_(log),
       pipeline_(parameters.pipeline),
+      warnings_(log),
       depth_input_(info_topic)
 {
-  if (!parameters.up_frame.empty() || parameters.hasOutputFrame())
+  if (!parameters.mount_frame.empty() || !parameters.up_frame.empty() || parameters.hasOutputFrame())
     tf_ = std::make_unique<ros_common::TfBridge>();
 }
 
@@ -78,7 +83,8 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   if (may_wait && !transforms.missing().empty()) return false;
 
   runPipeline(header, *points, transforms);
-  sayMissingFloor(header.stamp);
+  warnings_.update(pipeline_.result(), parameters_.pipeline.tracker.initial_up, parameters_.mount_frame,
+                   header.stamp);
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
   broadcast(header);
@@ -96,14 +102,28 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
 FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header) const
 {
   Transforms transforms;
-  if (!parameters_.up_frame.empty() && pipeline_.needsSeed(header.stamp.toSec())) {
+  perception::FloorHints& hints = transforms.hints;
+  if (!parameters_.mount_frame.empty()) {
+    const auto input_to_mount = tf_->lookup(parameters_.mount_frame, header.frame_id, header.stamp);
+    if (input_to_mount) hints.mount = floorOfMount(*input_to_mount);
+    transforms.missing_up = input_to_mount.error();
+    if (hints.mount && !(hints.mount->distance > 0.0)) {
+      hints.mount.reset();
+      transforms.missing_up =
+          printed("the input's frame is %.3f m above mount_frame '", input_to_mount->translation().z()) +
+          parameters_.mount_frame + "', accepted is any height above 0";
+    }
+  } else if (!parameters_.up_frame.empty() && pipeline_.needsSeed(header.stamp.toSec())) {
     const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
-    if (up_to_input) transforms.up = up_to_input->linear().col(2);
+    if (up_to_input) hints.up = up_to_input->linear().col(2);
     transforms.missing_up = up_to_input.error();
   }
   if (parameters_.hasOutputFrame()) {
     const auto input_to_output = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
-    if (input_to_output) transforms.input_to_output = *input_to_output;
+    if (input_to_output) {
+      transforms.input_to_output = *input_to_output;
+      hints.level = input_to_output->linear().row(2).transpose();
+    }
     transforms.missing_output = input_to_output.error();
   }
   return transforms;
@@ -120,7 +140,7 @@ void FrameProcessor::runPipeline(const std_msgs::Header& header, const perceptio
                                  const Transforms& transforms)
 {
   if (transforms.missing_up.empty()) {
-    pipeline_.process({points, header.stamp.toSec(), transforms.up}, neededProducts(transforms));
+    pipeline_.process({points, header.stamp.toSec(), transforms.hints}, neededProducts(transforms));
   } else {
     // Without the seed that was asked for there is no answer: initial_up may be far off.
     pipeline_.skip();
@@ -163,30 +183,20 @@ void FrameProcessor::broadcast(const std_msgs::Header& header)
   broadcaster_.sendTransform(toTransform(header, parameters_.floor_frame, result.to_floor_frame));
 }
 
-/// A robot loses its floor before every wall: only what lasts is worth a warning, one.
-void FrameProcessor::sayMissingFloor(const ros::Time& stamp)
-{
-  const perception::FloorState& floor = pipeline_.result().floor;
-  const bool is_missing = floor.status == perception::FloorStatus::kNotFound;
-  if (!is_missing || !without_floor_since_) {
-    without_floor_since_.reset();
-    if (is_missing) without_floor_since_ = stamp;
-    is_missing_floor_said_ = false;
-    return;
-  }
-  if (is_missing_floor_said_ || !floor.absence || (stamp - *without_floor_since_).toSec() < kLongWithoutFloor)
-    return;
-  is_missing_floor_said_ = true;
-  log_.warn("floor", "no floor for " + parameters::numberText(kLongWithoutFloor) +
-                         " s: " + absenceText(*floor.absence));
-}
-
 std::optional<CameraAttitude> FrameProcessor::attitude() const
 {
   const perception::Pipeline::Result& result = pipeline_.result();
   if (result.floor.status == perception::FloorStatus::kNotFound) return std::nullopt;
   return cameraAttitude(result.floor.floor.plane.normal, result.view.forward,
                         parameters_.pipeline.tracker.initial_up);
+}
+
+std::string FrameProcessor::mountDisagreement() const
+{
+  const perception::Pipeline::Result& result = pipeline_.result();
+  if (!result.floor.mount_error || !result.floor.mount_error->is_beyond) return {};
+  return mountErrorText(result.floor, result.view.forward, parameters_.pipeline.tracker.initial_up,
+                        parameters_.mount_frame);
 }
 
 void FrameProcessor::resetTime(const std::string& reason)

@@ -16,6 +16,7 @@
 #include "polygonal_perception/ros/common/throttled_log.hpp"
 #include "ros/perception/camera_attitude.hpp"
 #include "ros/perception/depth_input.hpp"
+#include "ros/perception/floor_warnings.hpp"
 #include "ros/perception/outputs.hpp"
 #include "ros/perception/perception_parameters.hpp"
 
@@ -55,7 +56,7 @@ public:
   void resetFloor()
   {
     pipeline_.reset();
-    without_floor_since_.reset();  // nobody looked for one in a pause
+    warnings_.reset();
   }
   /// Forgets all that has a time, the floor and the transforms, and says so in the log.
   void resetTime(const std::string& reason);
@@ -68,12 +69,14 @@ public:
   const perception::ViewAxes& heading() const { return pipeline_.result().heading; }
   /// Of the camera above that floor; nothing where there is none.
   std::optional<CameraAttitude> attitude() const;
+  /// How it disagrees with the mount, in a sentence; empty where it does not.
+  std::string mountDisagreement() const;
 
 private:
   /// What tf says of a frame, as far as the parameters ask it.
   struct Transforms
   {
-    std::optional<Eigen::Vector3d> up;  // in the input's frame
+    perception::FloorHints hints;
     std::optional<Eigen::Isometry3d> input_to_output;
     std::string missing_up;  // why it is not there though it is needed, or empty
     std::string missing_output;
@@ -89,7 +92,6 @@ private:
                    const Transforms& transforms);
   OutputPose outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const;
   void broadcast(const std_msgs::Header& header);
-  void sayMissingFloor(const ros::Time& stamp);
   void reject(const char* kind, const std::string& reason);
 
   const PerceptionParameters& parameters_;
@@ -97,13 +99,12 @@ private:
   ros_common::FrameStatistics& statistics_;
   ros_common::ThrottledLog& log_;
   perception::Pipeline pipeline_;
+  FloorWarnings warnings_;
   DepthInput depth_input_;
   std::unique_ptr<ros_common::TfBridge> tf_;  // only where a parameter names a frame
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_stamp_;
   ros::Time last_broadcast_;
-  std::optional<ros::Time> without_floor_since_;
-  bool is_missing_floor_said_ = false;
 };
 
 }  // namespace polygonal_perception::ros_perception

@@ -8,7 +8,8 @@ namespace polygonal_perception::ros_perception {
 
 static_assert(static_cast<int>(perception::FloorStatus::kNotFound) == FloorPlane::NOT_FOUND &&
                   static_cast<int>(perception::FloorStatus::kFound) == FloorPlane::FOUND &&
-                  static_cast<int>(perception::FloorStatus::kHeld) == FloorPlane::HELD,
+                  static_cast<int>(perception::FloorStatus::kHeld) == FloorPlane::HELD &&
+                  static_cast<int>(perception::FloorStatus::kAssumed) == FloorPlane::ASSUMED,
               "the status goes into the message as it is");
 static_assert(static_cast<int>(perception::PlaneKind::kUnknown) == Plane::UNKNOWN &&
                   static_cast<int>(perception::PlaneKind::kFloor) == Plane::FLOOR &&

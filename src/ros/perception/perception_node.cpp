@@ -196,6 +196,7 @@ void PerceptionNode::Implementation::diagnose(diagnostic_updater::DiagnosticStat
     state.floor = processor_->floor();
     state.heading = processor_->heading();
     state.attitude = processor_->attitude();
+    state.mount_disagreement = processor_->mountDisagreement();
   }
   const auto now = ros_common::FrameStatistics::Clock::now();
   fillDiagnostics(state, core_.statistics, now, status);

@@ -31,6 +31,7 @@ struct PerceptionParameters
   bool publish_tf = true;
   bool lazy = true;
   std::string up_frame;
+  std::string mount_frame;
   double tf_timeout = 0.1;  ///< [s]
   std::string sensor_noise = "xtion";
   perception::Pipeline::Parameters pipeline;
@@ -57,6 +58,10 @@ struct PerceptionParameters
     visit("up_frame", self.up_frame, ros_common::kFrameOrEmpty,
           "A frame whose z axis is up, looked up at the start and whenever the floor is lost; empty: "
           "initial_up.");
+    visit("mount_frame", self.mount_frame, ros_common::kFrameOrEmpty,
+          "A frame whose z = 0 is the floor where the robot stands (base_footprint): the floor is sought "
+          "there, and "
+          "ASSUMED where none is in view; empty: nobody knows.");
     visit("up_feedback", self.pipeline.tracker.up_feedback,
           "The floor's normal is the next frame's up vector; false: up_frame or initial_up in every frame.");
     visit("tf_timeout", self.tf_timeout, Range{0.0, 1.0}.atStart(), "s",

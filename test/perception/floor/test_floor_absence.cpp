@@ -16,7 +16,7 @@ std::optional<FloorAbsence> absenceIn(const test::PlaneScene& scene,
   SampleGrid grid{SampleGrid::Parameters{}};
   grid.update(scene.view());
   FloorTracker tracker(FloorTracker::Parameters{}, parameters);
-  return tracker.update(scene.view(), grid, 1.0, std::nullopt).absence;
+  return tracker.update(scene.view(), grid, 1.0, {}).absence;
 }
 
 test::PlaneScene floorAt(double height)

@@ -19,7 +19,7 @@ protected:
   {
     grid_.update(scene.view());
     stamp_ += kPeriod;
-    return tracker_.update(scene.view(), grid_, stamp_, up_from_tf);
+    return tracker_.update(scene.view(), grid_, stamp_, {up_from_tf, {}, {}});
   }
 
   /// @return the state after so many frames of the same scene

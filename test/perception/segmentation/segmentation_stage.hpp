@@ -27,7 +27,7 @@ struct Stage
     stamp += 0.1;
     const perception::PointView points = scene.view();
     grid.update(points);
-    const perception::FloorState& floor = tracker.update(points, grid, stamp, up);
+    const perception::FloorState& floor = tracker.update(points, grid, stamp, {up, {}, {}});
     segmentation.segment(
         points, grid, tracker.detector(), floor,
         !up && floor.status == perception::FloorStatus::kFound ? floor.floor.plane.normal : up, seen);

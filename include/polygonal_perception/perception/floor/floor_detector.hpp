@@ -60,6 +60,15 @@ struct DetectedFloor
   PlaneOffsets others;             ///< level planes that are not the floor
 };
 
+/// [m] Between which heights above the floor a camera can be.
+struct HeightBounds
+{
+  double lowest = 0.0;
+  double highest = 0.0;
+
+  bool contain(double height) const { return height >= lowest && height <= highest; }
+};
+
 /// What is known about the floor before a frame is looked at.
 struct FloorPrior
 {
@@ -68,9 +77,20 @@ struct FloorPrior
   /// [m] what the camera's height has last been, and how far it may be off by now; no value: never seen.
   std::optional<double> height;
   double height_tolerance = 0.0;
+  std::optional<geometry::Plane> last;  ///< the floor of that height, as far as its normal is known
   bool confirmed =
       false;  ///< seen often enough that a lower plane is a drop, rather than the floor under a table
   PlaneOffsets others;  ///< level planes that were seen with it of late: none of them is the floor
+  std::optional<double> tilt_sigma;  ///< [rad] how far a floor may be off `up`; no value: as usual
+  /// Between which heights of the camera the floor is sought; no value: by the selection's parameters.
+  std::optional<HeightBounds> bounds;
+  /// What tf calls up, unit, in the input's frame: a bound, whatever `up` is.
+  std::optional<Eigen::Vector3d> level;
+
+  HeightBounds boundsWith(const FloorSelectionParameters& parameters) const
+  {
+    return bounds.value_or(HeightBounds{parameters.min_camera_height, parameters.max_camera_height});
+  }
 };
 
 /// Finds the floor plane in the samples of a frame (section III).

@@ -12,6 +12,9 @@ struct FloorSelectionParameters
   double max_tilt = 0.78539816339744831;  ///< [rad] pi/4 (eq. 3), from the up vector
   double min_camera_height = 0.05;        ///< [m]
   double max_camera_height = 3.0;         ///< [m]
+  /// [rad] A plane so far from what tf calls level is no floor, whatever it looks like: the frame_id is wrong, or tf. Robots
+  /// that climb do not tilt so far.
+  double farthest_from_level = 1.0471975511965976;
   /// [rad] A seed is a rough guess of the camera's attitude, and max_tilt is wider by this about it.
   double seed_slack = 0.15;
   /// [rad] By how much a floor's normal may be off the up vector.
@@ -85,6 +88,7 @@ struct FloorSelectionParameters
   static void describeThresholds(Self& self, Visitor&& visit)
   {
     visit("max_tilt", self.max_tilt);
+    visit("farthest_from_level", self.farthest_from_level);
     visit("seed_slack", self.seed_slack);
     visit("tilt_about_seed", self.tilt_about_seed);
     visit("tilt_about_measured", self.tilt_about_measured);

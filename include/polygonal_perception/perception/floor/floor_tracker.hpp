@@ -9,6 +9,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
+#include "polygonal_perception/perception/floor/floor_mount.hpp"
 #include "polygonal_perception/perception/floor/view_change.hpp"
 
 namespace polygonal_perception::perception {
@@ -18,17 +19,29 @@ enum class FloorStatus : std::uint8_t
 {
   kNotFound = 0,
   kFound = 1,
-  kHeld = 2
+  kHeld = 2,
+  kAssumed = 3
+};
+
+/// What tf knows of a frame, in its own frame; each as far as somebody has asked for it.
+struct FloorHints
+{
+  std::optional<Eigen::Vector3d> up;     ///< any length; seeds the up vector, or is it without up_feedback
+  std::optional<geometry::Plane> mount;  ///< where the camera's mount says that the floor is
+  std::optional<Eigen::Vector3d> level;  ///< unit; up in the frame in which the answer is placed
 };
 
 /// The floor as it stands after a frame.
 struct FloorState
 {
   FloorStatus status = FloorStatus::kNotFound;
-  DetectedFloor floor;  ///< meaningful unless NOT_FOUND; when HELD it is that of an earlier frame
-  double age = 0.0;     ///< [s] since the floor was FOUND
+  /// Meaningful unless NOT_FOUND; when HELD it is that of an earlier frame, when ASSUMED what the mount says.
+  DetectedFloor floor;
+  double age = 0.0;  ///< [s] since the floor was FOUND
   /// Why the last frame shows none; nothing where it does, or was not looked at.
   std::optional<FloorAbsence> absence;
+  /// How it lies beside what the mount says, where it is FOUND and there is a mount.
+  std::optional<MountError> mount_error;
 };
 
 /// Carries the floor from frame to frame (section III-B): feeds the normal back as the next up vector, holds
@@ -42,6 +55,7 @@ public:
     bool up_feedback = true;                     ///< the found normal is the next frame's up vector
     double floor_timeout = 0.5;                  ///< [s] how long a floor is held
     ViewChange::Parameters view_change;
+    FloorMountParameters mount;
 
     /// [m], [m/s] How much the camera's height may differ from frame to frame, and so much more for each second in which
     /// the floor was not seen.
@@ -64,6 +78,7 @@ public:
     {
       visit("floor_timeout", self.floor_timeout, parameters::Range{0.0, 60.0}, "s",
             "How long a floor that is not seen any more is held before it is given up.");
+      FloorMountParameters::describe(self.mount, visit);
     }
 
     /// The rest, which users leave alone: for the ablation.
@@ -88,10 +103,9 @@ public:
 
   /// @param stamp       [s] of the frame; a stamp before the last one resets the tracker first, and with the
   ///                    same one no floor is held
-  /// @param up_from_tf  up in the input's frame where tf knows it; seeds the up vector, or is it without
-  ///                    up_feedback
+  /// @param hints       what tf knows
   const FloorState& update(const PointView& points, const SampleGrid& grid, double stamp,
-                           const std::optional<Eigen::Vector3d>& up_from_tf);
+                           const FloorHints& hints);
 
   /// Takes on new parameters with the next frame and keeps the floor.
   void configure(const Parameters& parameters, const FloorDetector::Parameters& detector);
@@ -116,19 +130,25 @@ private:
 
   void forgetView();
   void remember(const DetectedFloor& floor, double stamp);
-  /// Whether a floor is known and not yet held too long.
+  /// Whether a floor was found and is not yet held too long.
   bool standsAt(double stamp) const
   {
-    return state_.status != FloorStatus::kNotFound && stamp - *found_stamp_ <= parameters_.floor_timeout;
+    return found_stamp_ && !is_given_up_ && stamp - *found_stamp_ <= parameters_.floor_timeout;
   }
-  FloorPrior prior(double stamp, const std::optional<Eigen::Vector3d>& up_from_tf) const;
+  /// Whether the camera is still where it was on its mount when the floor was found.
+  bool isSameMount(const std::optional<geometry::Plane>& mount) const;
+  FloorPrior prior(double stamp, const FloorHints& hints) const;
+  void answerWithout(double stamp, const FloorHints& hints);
 
   Parameters parameters_;
   FloorDetector detector_;
   ViewChange view_change_;
   FloorState state_;
   bool view_is_new_ = false;  // nothing that was known helps with this view
+  DetectedFloor found_;       // the last that was; meaningful with found_stamp_
   std::optional<double> found_stamp_;
+  std::optional<geometry::Plane> found_mount_;  // what the mount said then
+  bool is_given_up_ = false;                    // that floor, since then
   std::optional<double> last_stamp_;
   std::array<OtherPlane, 8> others_{};
   double streak_ = 0.0;  // frames that showed this floor, as far as it matters
