@@ -35,7 +35,7 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
   using Times = StageTimes;
   Result& r = result_;
   Frame frame = whole_frame;
-  frame.points = whole_frame.points.within(parameters_.range);
+  frame.points = whole_frame.points.within(parameters_.range).without(whole_frame.ignored);
   clearResult(products);
 
   // Section III-A; III-B to III-D

@@ -100,6 +100,17 @@ class MountTest(unittest.TestCase):
         self.client.wait_for_diagnostics(lambda s: s.message == 'floor found', 'floor found')
         self.assertEqual([l.msg for l in self.client.logs if 'tilted' in l.msg], [])
 
+    def test_the_robots_own_bumper_is_no_obstacle(self):
+        """A box of mount.test covers it; what stands behind is seen as ever."""
+        bumper = scene.Box((0.92, 0.96), (-0.2, 0.2), (0.4, 0.5))
+        behind = scene.Box((2.02, 2.2), (-0.5, -0.2), (0.0, 0.4))
+        grid = self.see(self.mounted, [bumper, behind])['occupancy_grid']
+        cells = np.array(grid.data).reshape(grid.info.height, grid.info.width)
+        self.assertFalse((cells[:, :30] > 0).any(), 'cells less than 1.5 m ahead')
+        self.assertTrue((cells[:, 40] > 0).any(), 'the box behind it')
+        seen = self.see(self.mounted, [scene.Box((0.92, 0.96), (-0.5, -0.3), (0.4, 0.5)), behind])['occupancy_grid']
+        self.assertTrue((np.array(seen.data).reshape(100, 100)[:, 18:20] > 0).any(), 'what is beside it')
+
     def test_without_the_mount_there_is_no_floor_and_no_guess(self):
         stamp = self.clock.tick()
         self.client.send(self.mounted.cloud(self.mounted.render(), stamp, frame='unknown_camera'))

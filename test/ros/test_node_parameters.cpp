@@ -104,6 +104,30 @@ TEST_F(NodeParametersTest, BadValuesAreRefusedWithNameValueAndRange)
   EXPECT_FALSE(polygonal_perception::parameters::findFault(parameters));
 }
 
+TEST_F(NodeParametersTest, BoxesAreListsOfAFrameAndTwoCorners)
+{
+  XmlRpc::XmlRpcValue boxes;
+  boxes[0][0] = "base_link";
+  for (int i = 0; i < 6; ++i) boxes[0][1 + i] = 0.5 * i;
+  handle_.setParam("ignore_boxes", boxes);
+  const PerceptionParameters good = read();
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  ASSERT_EQ(good.ignore_boxes.size(), 1U);
+  EXPECT_EQ(good.ignore_boxes[0].frame, "base_link");
+  EXPECT_EQ(good.ignore_boxes[0].extent.min(), Eigen::Vector3d(0.0, 0.5, 1.0));
+  EXPECT_EQ(good.ignore_boxes[0].extent.max(), Eigen::Vector3d(1.5, 2.0, 2.5));
+  EXPECT_TRUE(good.needsTf());
+
+  boxes[0][6] = 0.9;
+  handle_.setParam("ignore_boxes", boxes);
+  EXPECT_TRUE(read().ignore_boxes.empty());
+  ASSERT_EQ(errors_.size(), 1U);
+  EXPECT_NE(errors_[0].find(
+                "accepted is a list of lists [frame, x, y, z from, x, y, z to], each from at most its to"),
+            std::string::npos)
+      << errors_[0];
+}
+
 TEST_F(NodeParametersTest, ANameOfOldIsRefusedWithTheNewOne)
 {
   handle_.setParam("merge_distance", 0.05);

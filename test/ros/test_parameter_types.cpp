@@ -62,9 +62,33 @@ public:
     });
   }
 
+  void operator()(const char* name, std::vector<parameters::FrameBox>& value, const char* /*help*/)
+  {
+    add(name, value.size(), [](XmlRpcValue& from) {
+      if (from.getType() != XmlRpcValue::TypeArray) return false;
+      for (int i = 0; i < from.size(); ++i) {
+        if (!isBox(from[i])) return false;
+      }
+      return true;
+    });
+  }
+
   std::vector<Entry> entries;
 
 private:
+  static bool isBox(XmlRpcValue& from)
+  {
+    if (from.getType() != XmlRpcValue::TypeArray || from.size() != 7) return false;
+    if (from[0].getType() != XmlRpcValue::TypeString) return false;
+    const auto frame = static_cast<std::string>(from[0]);
+    if (frame.empty() || frame.front() == '/') return false;
+    for (int i = 1; i <= 3; ++i) {
+      const double low = numberOf(from[i]);
+      const double high = numberOf(from[i + 3]);
+      if (!std::isfinite(low) || !std::isfinite(high) || low > high) return false;
+    }
+    return true;
+  }
   static bool isDirection(XmlRpcValue& from)
   {
     if (from.getType() != XmlRpcValue::TypeArray || from.size() != 3) return false;
@@ -138,6 +162,12 @@ std::vector<XmlRpcValue> valuesOfAllTypes()
           list(0, 0, 0),
           list(0, 0, 1),
           list(NAN, 0.0, 1.0),
+          list(list("base_link", 0, 0, 0, 1, 1, 1), list("arm", 0.5, -1.0, 0, 0.5, -0.5, 1)),
+          list("base_link", 0, 0, 0, 1, 1, 1),
+          list(list("base_link", 0, 0, 0, 1, 1)),
+          list(list("base_link", 0, 0, 0, 1, -1, 1)),
+          list(list("/base_link", 0, 0, 0, 1, 1, 1)),
+          list(list("base_link", 0, 0, NAN, 1, 1, 1)),
           list(kInfinity, 0.0, 1.0),
           list(1.0, "a", 2.0),
           list(list(1.0), list(2.0), list(3.0)),

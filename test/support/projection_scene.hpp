@@ -12,7 +12,8 @@ inline Eigen::Isometry3d tiltedCamera(double height = 0.8)
 {
   const double pitch = 0.35;
   return perception::floorFrame(
-      geometry::Plane{Eigen::Vector3d(0.0, -std::cos(pitch), -std::sin(pitch)), height}, perception::ViewAxes{});
+      geometry::Plane{Eigen::Vector3d(0.0, -std::cos(pitch), -std::sin(pitch)), height},
+      perception::ViewAxes{});
 }
 
 /// A point of a cloud as drivers send it.

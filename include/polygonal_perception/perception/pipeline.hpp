@@ -29,6 +29,7 @@ struct Frame
   PointView points;
   double stamp = 0.0;  ///< [s]
   FloorHints hints;
+  IgnoredBoxes ignored = {};  ///< the robot's own parts
 };
 
 /// The way of a frame, from points to polygons.

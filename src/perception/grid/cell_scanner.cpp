@@ -79,7 +79,19 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform)
 CellScanner::Row CellScanner::row(std::uint32_t v)
 {
   const std::uint32_t count = points_.layout() == PointLayout::kCloud ? cloudRow(v) : depthRow(v);
+  if (points_.leavesOut()) dropIgnored(v, count);
   return {blocks_.data(), blocks_.data() + count};
+}
+
+/// After the kernel, which leaves few points of a frame over.
+void CellScanner::dropIgnored(std::uint32_t v, std::uint32_t count)
+{
+  for (std::uint32_t k = 0; k < count; ++k) {
+    CellBlock& block = blocks_[k];
+    for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
+      if (block.cell[lane] != 0 && !points_.point(column(block, lane), v).allFinite()) block.cell[lane] = 0;
+    }
+  }
 }
 
 std::uint32_t CellScanner::cloudRow(std::uint32_t v)

@@ -38,6 +38,7 @@ public:
   }
 
 private:
+  void dropIgnored(std::uint32_t v, std::uint32_t count);
   std::uint32_t cloudRow(std::uint32_t v);
   std::uint32_t depthRow(std::uint32_t v);
 

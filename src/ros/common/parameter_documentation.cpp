@@ -17,6 +17,7 @@ struct Type
   const char* operator()(const std::string* /*value*/) const { return "string"; }
   const char* operator()(const Eigen::Vector3d* /*value*/) const { return "list"; }
   const char* operator()(const std::optional<Eigen::Vector3d>* /*value*/) const { return "list"; }
+  const char* operator()(const std::vector<parameters::FrameBox>* /*value*/) const { return "list"; }
 };
 
 struct Text
@@ -33,6 +34,8 @@ struct Text
   {
     return value->has_value() ? (*this)(&**value) : "[]";
   }
+  /// Nobody's defaults have one.
+  std::string operator()(const std::vector<parameters::FrameBox>* /*value*/) const { return "[]"; }
 };
 
 std::string acceptedBy(const ParameterEntry& entry)
@@ -40,6 +43,8 @@ std::string acceptedBy(const ParameterEntry& entry)
   if (entry.isNumber()) return parameters::rangeText(entry.range, entry.unit);
   if (std::holds_alternative<Eigen::Vector3d*>(entry.value)) return "not zero";
   if (std::holds_alternative<std::optional<Eigen::Vector3d>*>(entry.value)) return "empty or not zero";
+  if (std::holds_alternative<std::vector<parameters::FrameBox>*>(entry.value))
+    return "[[frame, x, y, z from, x, y, z to], ...]";
   return entry.rule.accepted;
 }
 

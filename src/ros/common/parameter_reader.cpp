@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/ros/common/text_rules.hpp"
 
 namespace polygonal_perception::ros_common {
 
@@ -76,6 +77,32 @@ bool take(XmlRpcValue& from, std::optional<Eigen::Vector3d>& to)
   return true;
 }
 
+bool take(XmlRpcValue& from, parameters::FrameBox& to)
+{
+  constexpr int kNumbers = 6;
+  if (from.getType() != XmlRpcValue::TypeArray || from.size() != 1 + kNumbers) return false;
+  Eigen::Matrix<double, kNumbers, 1> numbers;
+  for (int i = 0; i < kNumbers; ++i) {
+    if (!take(from[1 + i], numbers[i])) return false;
+  }
+  parameters::FrameBox box{{}, {numbers.head<3>(), numbers.tail<3>()}};
+  if (!take(from[0], box.frame) || !isFrame(box.frame)) return false;
+  if (!numbers.allFinite() || box.extent.isEmpty()) return false;
+  to = box;
+  return true;
+}
+
+bool take(XmlRpcValue& from, std::vector<parameters::FrameBox>& to)
+{
+  if (from.getType() != XmlRpcValue::TypeArray) return false;
+  std::vector<parameters::FrameBox> boxes;
+  for (int i = 0; i < from.size(); ++i) {
+    if (!take(from[i], boxes.emplace_back())) return false;
+  }
+  to = boxes;
+  return true;
+}
+
 template <class T>
 bool isAccepted(const ParameterEntry& entry, const T& value)
 {
@@ -105,6 +132,10 @@ struct Accepted
   std::string operator()(const std::optional<Eigen::Vector3d>* /*value*/) const
   {
     return "an empty list, or one of three numbers that are not all zero";
+  }
+  std::string operator()(const std::vector<parameters::FrameBox>* /*value*/) const
+  {
+    return "a list of lists [frame, x, y, z from, x, y, z to], each from at most its to";
   }
 };
 

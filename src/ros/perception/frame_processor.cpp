@@ -7,17 +7,10 @@
 #include "ros/perception/cloud_input.hpp"
 #include "ros/perception/floor_transforms.hpp"
 #include "ros/perception/mount_error_text.hpp"
-#include "ros/perception/printed.hpp"
 
 namespace polygonal_perception::ros_perception {
 
 namespace {
-
-/// The floor in the input's frame: z = 0 of the mount's frame.
-geometry::Plane floorOfMount(const Eigen::Isometry3d& input_to_mount)
-{
-  return {input_to_mount.linear().row(2).transpose(), input_to_mount.translation().z()};
-}
 
 /// A frame_id or an encoding may have megabytes, which would go into each report.
 std::string shortened(const std::string& text)
@@ -42,8 +35,7 @@ FrameProcessor::FrameProcessor(const PerceptionParameters& parameters, const std
       warnings_(log),
       depth_input_(info_topic)
 {
-  if (!parameters.mount_frame.empty() || !parameters.up_frame.empty() || parameters.hasOutputFrame())
-    tf_ = std::make_unique<ros_common::TfBridge>();
+  if (parameters.needsTf()) tf_ = std::make_unique<ros_common::TfBridge>();
 }
 
 bool FrameProcessor::process(const InputFrame& frame, bool may_wait)
@@ -79,7 +71,8 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   // Only now: a frame that is refused changes nothing, whatever its stamp.
   if (header.stamp < last_stamp_) resetTime("the frame's stamp is before the last one");
   last_stamp_ = header.stamp;
-  const Transforms transforms = lookUp(header);
+  const FrameTransforms transforms =
+      lookUpTransforms(parameters_, tf_.get(), header, pipeline_.needsSeed(header.stamp.toSec()));
   if (may_wait && !transforms.missing().empty()) return false;
 
   runPipeline(header, *points, transforms);
@@ -99,37 +92,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   return true;
 }
 
-FrameProcessor::Transforms FrameProcessor::lookUp(const std_msgs::Header& header) const
-{
-  Transforms transforms;
-  perception::FloorHints& hints = transforms.hints;
-  if (!parameters_.mount_frame.empty()) {
-    const auto input_to_mount = tf_->lookup(parameters_.mount_frame, header.frame_id, header.stamp);
-    if (input_to_mount) hints.mount = floorOfMount(*input_to_mount);
-    transforms.missing_up = input_to_mount.error();
-    if (hints.mount && !(hints.mount->distance > 0.0)) {
-      hints.mount.reset();
-      transforms.missing_up =
-          printed("the input's frame is %.3f m above mount_frame '", input_to_mount->translation().z()) +
-          parameters_.mount_frame + "', accepted is any height above 0";
-    }
-  } else if (!parameters_.up_frame.empty() && pipeline_.needsSeed(header.stamp.toSec())) {
-    const auto up_to_input = tf_->lookup(header.frame_id, parameters_.up_frame, header.stamp);
-    if (up_to_input) hints.up = up_to_input->linear().col(2);
-    transforms.missing_up = up_to_input.error();
-  }
-  if (parameters_.hasOutputFrame()) {
-    const auto input_to_output = tf_->lookup(parameters_.output_frame, header.frame_id, header.stamp);
-    if (input_to_output) {
-      transforms.input_to_output = *input_to_output;
-      hints.level = input_to_output->linear().row(2).transpose();
-    }
-    transforms.missing_output = input_to_output.error();
-  }
-  return transforms;
-}
-
-perception::Products FrameProcessor::neededProducts(const Transforms& transforms) const
+perception::Products FrameProcessor::neededProducts(const FrameTransforms& transforms) const
 {
   // tf to the floor frame, and the diagnostics, want a floor in any case.
   const perception::Products needs = outputs_.needs() | perception::Product::kFloor;
@@ -137,12 +100,14 @@ perception::Products FrameProcessor::neededProducts(const Transforms& transforms
 }
 
 void FrameProcessor::runPipeline(const std_msgs::Header& header, const perception::PointView& points,
-                                 const Transforms& transforms)
+                                 const FrameTransforms& transforms)
 {
-  if (transforms.missing_up.empty()) {
-    pipeline_.process({points, header.stamp.toSec(), transforms.hints}, neededProducts(transforms));
+  if (transforms.missing_input.empty()) {
+    pipeline_.process({points, header.stamp.toSec(), transforms.hints, transforms.ignored},
+                      neededProducts(transforms));
   } else {
-    // Without the seed that was asked for there is no answer: initial_up may be far off.
+    // Without the seed that was asked for there is no answer: initial_up may be far off. Nor is there one with the
+    // robot's own parts among the obstacles.
     pipeline_.skip();
   }
 }

@@ -17,6 +17,7 @@
 #include "ros/perception/camera_attitude.hpp"
 #include "ros/perception/depth_input.hpp"
 #include "ros/perception/floor_warnings.hpp"
+#include "ros/perception/frame_transforms.hpp"
 #include "ros/perception/outputs.hpp"
 #include "ros/perception/perception_parameters.hpp"
 
@@ -73,23 +74,11 @@ public:
   std::string mountDisagreement() const;
 
 private:
-  /// What tf says of a frame, as far as the parameters ask it.
-  struct Transforms
-  {
-    perception::FloorHints hints;
-    std::optional<Eigen::Isometry3d> input_to_output;
-    std::string missing_up;  // why it is not there though it is needed, or empty
-    std::string missing_output;
-
-    const std::string& missing() const { return missing_output.empty() ? missing_up : missing_output; }
-  };
-
   bool processUnguarded(const InputFrame& frame, bool may_wait);
   std::string frameError(const std::string& frame_id) const;
-  Transforms lookUp(const std_msgs::Header& header) const;
-  perception::Products neededProducts(const Transforms& transforms) const;
+  perception::Products neededProducts(const FrameTransforms& transforms) const;
   void runPipeline(const std_msgs::Header& header, const perception::PointView& points,
-                   const Transforms& transforms);
+                   const FrameTransforms& transforms);
   OutputPose outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const;
   void broadcast(const std_msgs::Header& header);
   void reject(const char* kind, const std::string& reason);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "polygonal_perception/parameters/frame_box.hpp"
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/pipeline.hpp"
@@ -32,6 +33,7 @@ struct PerceptionParameters
   bool lazy = true;
   std::string up_frame;
   std::string mount_frame;
+  std::vector<parameters::FrameBox> ignore_boxes;
   double tf_timeout = 0.1;  ///< [s]
   std::string sensor_noise = "xtion";
   perception::Pipeline::Parameters pipeline;
@@ -64,6 +66,9 @@ struct PerceptionParameters
           "ASSUMED where none is in view; empty: nobody knows.");
     visit("up_feedback", self.pipeline.tracker.up_feedback,
           "The floor's normal is the next frame's up vector; false: up_frame or initial_up in every frame.");
+    visit("ignore_boxes", self.ignore_boxes,
+          "Boxes along the axes of a frame [m] that hold the robot's own parts: what is seen in them is no "
+          "point.");
     visit("tf_timeout", self.tf_timeout, Range{0.0, 1.0}.atStart(), "s",
           "How long a frame waits for its transforms and its camera_info; others are not held up.");
     visit("sensor_noise", self.sensor_noise, TextRule{perception::SensorNoise::kPresets, isSensorNoise},
@@ -90,6 +95,12 @@ struct PerceptionParameters
   }
 
   std::optional<parameters::ParameterFault> conflict() const { return pipeline.conflict(); }
+
+  /// Whether any parameter names a frame that tf must know.
+  bool needsTf() const
+  {
+    return !mount_frame.empty() || !up_frame.empty() || !ignore_boxes.empty() || hasOutputFrame();
+  }
 
   /// Whether grids and polygons lie in another frame than the floor's own.
   bool hasOutputFrame() const { return !output_frame.empty() && output_frame != floor_frame; }

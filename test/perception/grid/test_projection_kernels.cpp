@@ -90,6 +90,40 @@ TEST_P(EveryKernel, CollectsThePointsThatStandInTheGrid)
   }
 }
 
+TEST_P(EveryKernel, LeavesOutWhatLiesInTheIgnoredBoxes)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
+  std::size_t left_out = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const test::RandomFrame frame(random);
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    IgnoredBoxes boxes;
+    for (int k = trial % 3; k >= 0; --k) {
+      const Eigen::Vector3d corner(coordinate(random), coordinate(random), coordinate(random));
+      boxes.add(randomTransform(random), {corner, corner + Eigen::Vector3d::Constant(2.0)});
+    }
+    const PointView view = frame.view();
+    BinaryGrid grid{GridGeometry(randomGrid(random))};
+    const Projection::Parameters parameters;
+    Projection(parameters, kernel()).project(view.without(boxes), to_floor, grid);
+
+    const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
+    BinaryGrid expected{grid.geometry()};
+    for (std::uint32_t v = 0; v < view.height(); ++v) {
+      for (std::uint32_t u = 0; u < view.width(); ++u) {
+        const auto cell = reference.cell(view, u, v);
+        if (!cell) continue;
+        const bool is_ignored = boxes.contain(view.point(u, v));
+        left_out += is_ignored ? 1 : 0;
+        if (!is_ignored) expected.row(0)[*cell] = 1;
+      }
+    }
+    ASSERT_EQ(grid.cells(), expected.cells()) << "trial " << trial;
+  }
+  EXPECT_GT(left_out, 1000U) << "too few points in boxes to tell anything";
+}
+
 TEST_P(EveryKernel, RoundsAsTheReferenceDoesWherePointsLieOnTheEdgesOfCells)
 {
   std::mt19937 random(11);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -72,6 +73,24 @@ TEST(PointView, PointsOutsideTheLimitsAreNone)
     EXPECT_EQ(kept.point(u, 0), Eigen::Vector3f(inside[u].x, inside[u].y, inside[u].z));
   EXPECT_EQ(all.within({0.5, 0.0}).point(2, 0).z(), 4.01F) << "0 is no limit";
   EXPECT_EQ(all.point(0, 0).z(), 0.49F) << "the view itself stays what it was";
+}
+
+TEST(PointView, PointsInTheBoxesAreNone)
+{
+  // A box of a frame that is turned by 90 degrees about z and lies 1 m ahead.
+  Eigen::Isometry3d input_to_box = Eigen::Isometry3d::Identity();
+  input_to_box.linear() = Eigen::AngleAxisd(-M_PI_2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  input_to_box.translation() = input_to_box.linear() * Eigen::Vector3d(-1.0, 0.0, 0.0);
+  IgnoredBoxes boxes;
+  boxes.add(input_to_box, {Eigen::Vector3d(-0.1, -0.5, 0.0), Eigen::Vector3d(0.1, 0.5, 0.2)});
+  boxes.add(Eigen::Isometry3d::Identity(), {Eigen::Vector3d(4.0, 4.0, 4.0), Eigen::Vector3d(5.0, 5.0, 5.0)});
+  const Xyz in[] = {{1.4F, 0.0F, 0.1F}, {0.6F, 0.09F, 0.1F}, {4.5F, 4.5F, 4.5F}};
+  expectNoReturns(PointView::points(in, 3, 1).without(boxes));
+  const Xyz out[] = {{1.6F, 0.0F, 0.1F}, {1.0F, 0.2F, 0.1F}, {1.0F, 0.0F, 0.3F}, {5.5F, 4.5F, 4.5F}};
+  const PointView kept = PointView::points(out, 4, 1).without(boxes);
+  for (std::uint32_t u = 0; u < 4; ++u)
+    EXPECT_EQ(kept.point(u, 0), Eigen::Vector3f(out[u].x, out[u].y, out[u].z)) << u;
+  EXPECT_EQ(PointView::points(in, 3, 1).without(IgnoredBoxes{}).point(0, 0).x(), 1.4F) << "no boxes";
 }
 
 class DepthView : public ::testing::Test

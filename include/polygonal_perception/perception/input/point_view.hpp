@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "polygonal_perception/perception/input/ignored_boxes.hpp"
 #include "polygonal_perception/perception/input/range_limits.hpp"
 
 namespace polygonal_perception::perception {
@@ -47,7 +48,7 @@ enum class PointLayout : std::uint8_t
 ///
 /// Nothing else in the package knows how points lie in memory. Points are given in the input's frame in
 /// metres; a pixel without a return has at least one NaN coordinate. A cloud's point in the sensor itself, as (0, 0, 0),
-/// which many drivers write, is no return either, nor is one beyond the limits of within(). A depth image's points are in an optical
+/// which many drivers write, is no return either, nor is one beyond the limits of within() or in the boxes of without(). A depth image's points are in an optical
 /// frame (x right, y down, z forward); a cloud's are in whatever frame its publisher chose.
 class PointView
 {
@@ -114,6 +115,14 @@ public:
     return view;
   }
 
+  /// The same view, without the points in some boxes, which must outlive it.
+  PointView without(const IgnoredBoxes& boxes) const
+  {
+    PointView view = *this;
+    view.ignored_ = boxes.empty() ? nullptr : &boxes;
+    return view;
+  }
+
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
   std::size_t size() const { return static_cast<std::size_t>(width_) * height_; }
@@ -126,6 +135,8 @@ public:
   /// [m^2] Squares of the ranges between which points lie.
   float nearestSquared() const { return nearest_squared_; }
   float farthestSquared() const { return farthest_squared_; }
+  /// Whether points are left out by where they lie.
+  bool leavesOut() const { return ignored_ != nullptr; }
   /// The first byte of row v.
   const std::uint8_t* row(std::uint32_t v) const { return data_ + v * strides_.row_step; }
 
@@ -135,7 +146,9 @@ public:
     Eigen::Vector3f point = layout_ == PointLayout::kCloud ? cloudPoint(u, v) : depthPoint(u, v);
     const float squared = point.squaredNorm();
     // Written so that NaN fails.
-    if (squared >= nearest_squared_ && squared <= farthest_squared_) return point;
+    if (squared >= nearest_squared_ && squared <= farthest_squared_ &&
+        !(leavesOut() && ignored_->contain(point)))
+      return point;
     return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
   }
 
@@ -209,6 +222,7 @@ private:
   float unit_ = 1.0F;
   float nearest_squared_ = kLeastSquared;
   float farthest_squared_ = kMostSquared;
+  const IgnoredBoxes* ignored_ = nullptr;  // none where there are no boxes
 };
 
 }  // namespace polygonal_perception::perception

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/parameters/frame_box.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 
 namespace polygonal_perception::ros_common {
@@ -15,8 +16,8 @@ namespace polygonal_perception::ros_common {
 /// A parameter of a struct with a describe() (parameters/parameter_table.hpp), without the struct's type.
 struct ParameterEntry
 {
-  using Value =
-      std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*, std::optional<Eigen::Vector3d>*>;
+  using Value = std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*,
+                             std::optional<Eigen::Vector3d>*, std::vector<parameters::FrameBox>*>;
 
   std::string name;
   Value value;                             ///< the struct's member
