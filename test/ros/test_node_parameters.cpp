@@ -114,8 +114,8 @@ TEST_F(NodeParametersTest, BoxesAreListsOfAFrameAndTwoCorners)
   EXPECT_TRUE(errors_.empty()) << errors_.front();
   ASSERT_EQ(good.ignore_boxes.size(), 1U);
   EXPECT_EQ(good.ignore_boxes[0].frame, "base_link");
-  EXPECT_EQ(good.ignore_boxes[0].extent.min(), Eigen::Vector3d(0.0, 0.5, 1.0));
-  EXPECT_EQ(good.ignore_boxes[0].extent.max(), Eigen::Vector3d(1.5, 2.0, 2.5));
+  EXPECT_EQ(good.ignore_boxes[0].from, (std::array<double, 3>{0.0, 0.5, 1.0}));
+  EXPECT_EQ(good.ignore_boxes[0].to, (std::array<double, 3>{1.5, 2.0, 2.5}));
   EXPECT_TRUE(good.needsTf());
 
   boxes[0][6] = 0.9;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <array>
 #include <string>
 
 namespace polygonal_perception::parameters {
@@ -9,7 +9,8 @@ namespace polygonal_perception::parameters {
 struct FrameBox
 {
   std::string frame;
-  Eigen::AlignedBox3d extent;  ///< [m]
+  std::array<double, 3> from{};  ///< [m] the lower corner: x, y, z
+  std::array<double, 3> to{};    ///< [m] the upper one
 };
 
 }  // namespace polygonal_perception::parameters

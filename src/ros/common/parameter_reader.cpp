@@ -79,15 +79,16 @@ bool take(XmlRpcValue& from, std::optional<Eigen::Vector3d>& to)
 
 bool take(XmlRpcValue& from, parameters::FrameBox& to)
 {
-  constexpr int kNumbers = 6;
-  if (from.getType() != XmlRpcValue::TypeArray || from.size() != 1 + kNumbers) return false;
-  Eigen::Matrix<double, kNumbers, 1> numbers;
-  for (int i = 0; i < kNumbers; ++i) {
-    if (!take(from[1 + i], numbers[i])) return false;
-  }
-  parameters::FrameBox box{{}, {numbers.head<3>(), numbers.tail<3>()}};
+  constexpr int kAxes = 3;
+  if (from.getType() != XmlRpcValue::TypeArray || from.size() != 1 + 2 * kAxes) return false;
+  parameters::FrameBox box;
   if (!take(from[0], box.frame) || !isFrame(box.frame)) return false;
-  if (!numbers.allFinite() || box.extent.isEmpty()) return false;
+  for (int i = 0; i < kAxes; ++i) {
+    double& low = box.from[static_cast<std::size_t>(i)];
+    double& high = box.to[static_cast<std::size_t>(i)];
+    if (!take(from[1 + i], low) || !take(from[1 + kAxes + i], high)) return false;
+    if (!std::isfinite(low) || !std::isfinite(high) || low > high) return false;
+  }
   to = box;
   return true;
 }

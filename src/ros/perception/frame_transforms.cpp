@@ -40,7 +40,8 @@ FrameTransforms lookUpTransforms(const PerceptionParameters& parameters, const r
   }
   for (const parameters::FrameBox& box : parameters.ignore_boxes) {
     const Transform input_to_box = lookUp(box.frame);
-    if (input_to_box) transforms.ignored.add(*input_to_box, box.extent);
+    const Eigen::AlignedBox3d extent(Eigen::Vector3d(box.from.data()), Eigen::Vector3d(box.to.data()));
+    if (input_to_box) transforms.ignored.add(*input_to_box, extent);
     if (!input_to_box) transforms.missing_input = input_to_box.error();
   }
   if (parameters.hasOutputFrame()) {

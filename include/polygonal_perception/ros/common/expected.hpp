@@ -14,10 +14,10 @@ public:
   // Implicit, so that a function that may fail returns its value as it is.
   Expected(T value) : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor)
 
-  static Expected failure(std::string reason)
+  static Expected failure(const std::string& reason)
   {
     Expected failed;
-    failed.error_ = std::move(reason);
+    failed.error_ = reason;
     return failed;
   }
 
