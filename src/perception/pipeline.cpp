@@ -52,13 +52,14 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
       r.floor_hull = floorHull(r.samples, r.labels, r.floor.floor.plane);
   });
 
+  const HeightNoise noise(parameters_.detector.planes.noise, r.floor.floor.plane, r.floor.floor.covariance);
   // Section IV: into the floor frame and onto the grid, grown by the robot's radius, as polygons
   run(Product::kOccupancy, &Times::projection, [&] {
-    projection_.project(frame.points, r.to_floor_frame, r.occupancy);
+    projection_.project(frame.points, r.to_floor_frame, r.occupancy, &noise);
     drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy);
   });
   run(Product::kObstaclePoints, &Times::obstacle_points, [&] {
-    projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points);
+    projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points, &noise);
   });
   run(Product::kInflation, &Times::inflation, [&] { inflation_.inflate(r.occupancy, r.inflated); });
   run(Product::kPolygons, &Times::polygons, [&] {

@@ -48,9 +48,10 @@ void pack(const std::uint8_t* from, std::uint32_t count, const PointView::CloudS
 
 }  // namespace
 
-void CellScanner::begin(const PointView& points, const CellTransform& transform)
+void CellScanner::begin(const PointView& points, const CellTransform& transform, const SureHeights& heights)
 {
   points_ = points;
+  heights_ = heights;
   transform_ = transform;
   transform_.nearest_squared = points.nearestSquared();
   transform_.farthest_squared = points.farthestSquared();
@@ -79,17 +80,22 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform)
 CellScanner::Row CellScanner::row(std::uint32_t v)
 {
   const std::uint32_t count = points_.layout() == PointLayout::kCloud ? cloudRow(v) : depthRow(v);
-  if (points_.leavesOut()) dropIgnored(v, count);
+  if (points_.leavesOut() || heights_.noise != nullptr) dropOthers(v, count);
   return {blocks_.data(), blocks_.data() + count};
 }
 
-/// After the kernel, which leaves few points of a frame over.
-void CellScanner::dropIgnored(std::uint32_t v, std::uint32_t count)
+/// Takes out what the kernel does not know of: points in ignored boxes, and those whose height is not sure. The kernel
+/// leaves few points of a frame over.
+void CellScanner::dropOthers(std::uint32_t v, std::uint32_t count)
 {
   for (std::uint32_t k = 0; k < count; ++k) {
     CellBlock& block = blocks_[k];
     for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
-      if (block.cell[lane] != 0 && !points_.point(column(block, lane), v).allFinite()) block.cell[lane] = 0;
+      if (block.cell[lane] == 0) continue;
+      const Eigen::Vector3f point = points_.point(column(block, lane), v);  // NaN in an ignored box
+      const bool stands =
+          point.allFinite() && (heights_.noise == nullptr || heights_.noise->isAbove(point, heights_.sigmas));
+      if (!stands) block.cell[lane] = 0;
     }
   }
 }

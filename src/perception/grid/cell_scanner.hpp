@@ -4,9 +4,17 @@
 #include <vector>
 
 #include "perception/grid/projection_kernel.hpp"
+#include "polygonal_perception/perception/grid/height_noise.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
+
+/// Which heights are above the floor beyond doubt; all, where there is no noise.
+struct SureHeights
+{
+  const HeightNoise* noise = nullptr;
+  float sigmas = 0.0F;
+};
 
 /// Runs a frame through a projection kernel, row by row: brings any layout, any width and any alignment into
 /// the shape that the kernel takes.
@@ -25,8 +33,8 @@ public:
 
   explicit CellScanner(const ProjectionKernel& kernel) : kernel_(&kernel) {}
 
-  /// Turns to a frame, which must stay where it is until its rows are done.
-  void begin(const PointView& points, const CellTransform& transform);
+  /// Turns to a frame, which must stay where it is until its rows are done, as must the noise of its heights.
+  void begin(const PointView& points, const CellTransform& transform, const SureHeights& heights = {});
 
   /// The cells of row v; they stand until the next call.
   Row row(std::uint32_t v);
@@ -38,7 +46,7 @@ public:
   }
 
 private:
-  void dropIgnored(std::uint32_t v, std::uint32_t count);
+  void dropOthers(std::uint32_t v, std::uint32_t count);
   std::uint32_t cloudRow(std::uint32_t v);
   std::uint32_t depthRow(std::uint32_t v);
 
@@ -46,6 +54,7 @@ private:
   const std::uint8_t* pixel_ = nullptr;
   PointView points_;
   CellTransform transform_{};
+  SureHeights heights_;
   float unit_ = 1.0F;                 // [m] of the numbers in a depth image
   std::vector<float> column_shares_;  // of the height, the column and the row, one after the other
   std::vector<std::uint8_t> packed_;  // pixels that the kernel cannot take from where they lie

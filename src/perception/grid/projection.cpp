@@ -59,14 +59,22 @@ Projection& Projection::operator=(Projection&& other) noexcept = default;
 Projection::~Projection() = default;
 
 void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy)
+                         BinaryGrid& occupancy, const HeightNoise* noise)
 {
-  workspace_->scanner.begin(points, cellTransform(to_floor_frame, occupancy.geometry(), parameters_));
+  begin(points, to_floor_frame, occupancy.geometry(), noise);
   if (parameters_.min_points_per_cell <= 1) {
     markAny(points.height(), occupancy);
   } else {
     markMany(points.height(), occupancy);
   }
+}
+
+void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+                       const GridGeometry& geometry, const HeightNoise* noise)
+{
+  SureHeights heights;
+  if (parameters_.height_sigmas > 0.0) heights = {noise, static_cast<float>(parameters_.height_sigmas)};
+  workspace_->scanner.begin(points, cellTransform(to_floor_frame, geometry, parameters_), heights);
 }
 
 void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
@@ -108,11 +116,12 @@ void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
 }
 
 void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         const GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing)
+                         const GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing,
+                         const HeightNoise* noise)
 {
   standing.clear();
   CellScanner& scanner = workspace_->scanner;
-  scanner.begin(points, cellTransform(to_floor_frame, geometry, parameters_));
+  begin(points, to_floor_frame, geometry, noise);
   const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
   for (std::uint32_t v = 0; v < points.height(); ++v) {
     for (const CellBlock& block : scanner.row(v)) {

@@ -40,7 +40,7 @@ DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ro
 {
   timer_ = ros::NodeHandle(handle).createWallTimer(
       ros::WallDuration(readPeriod(private_handle)),
-      unsubscribingOutside(std::move(gate), [this, retry = std::move(retry)] {
+      unsubscribingOutside(gate, [this, retry = std::move(retry)] {
         InputTopics::Unsubscribed unsubscribed = retry();
         report();
         return unsubscribed;

@@ -7,6 +7,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/height_noise.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
@@ -27,6 +28,7 @@ public:
     double min_height = 0.03;     ///< [m] lower points are floor
     double max_height = 0.60;     ///< [m] higher points are nothing the robot could touch
     int min_points_per_cell = 1;  ///< a cell with fewer points stays free
+    double height_sigmas = 0.0;   ///< points that are not higher than so many standard deviations are floor
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
@@ -37,6 +39,10 @@ public:
             "Points higher than this are passed under by the robot.");
       visit("min_points_per_cell", self.min_points_per_cell, parameters::Range{1, 255}, "",
             "A cell with fewer points than this stays free.");
+      visit("height_sigmas", self.height_sigmas, parameters::Range{0.0, 20.0}, "",
+            "Points that are not higher than so many standard deviations of their height are floor, too: far "
+            "noise makes "
+            "no obstacles, and far low obstacles are not seen.");
     }
   };
 
@@ -54,17 +60,21 @@ public:
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew
-  void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy);
+  /// @param noise           of the heights, for height_sigmas; null: they are exact
+  void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
+               const HeightNoise* noise = nullptr);
 
   /// Collects the points that stand in a grid, however few there are in a cell.
   /// @param geometry  of the grid
   /// @param standing  filled anew, in the floor frame [m]
   void collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-               std::vector<Eigen::Vector3f>& standing);
+               std::vector<Eigen::Vector3f>& standing, const HeightNoise* noise = nullptr);
 
 private:
   struct Workspace;
 
+  void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
+             const HeightNoise* noise);
   void markAny(std::uint32_t rows, BinaryGrid& occupancy);
   void markMany(std::uint32_t rows, BinaryGrid& occupancy);
 
