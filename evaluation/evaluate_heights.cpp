@@ -25,12 +25,11 @@ struct Sensor
   std::string name;
   SensorNoise noise;
 };
-const std::vector<Sensor> kSensors = {
-    {"xtion", *SensorNoise::preset("xtion")},
-    {"realsense_d435", *SensorNoise::preset("realsense_d435")},
-    // 2.4 mm + 6.6 mm (z - 0.77)^2, what elevation_mapping has for a RealSense ZR300
-    {"noise_constant 0.00631, noise_linear -0.01016, noise_quadratic 0.0066", {0.00631, -0.01016, 0.0066}},
-    {"time_of_flight", *SensorNoise::preset("time_of_flight")}};
+const std::vector<Sensor> kSensors = {{"xtion", *SensorNoise::preset("xtion")},
+                                      {"realsense_d435", *SensorNoise::preset("realsense_d435")},
+                                      // What elevation_mapping has for a RealSense ZR300
+                                      {"2.4 mm + 6.6 mm (z - 0.77)^2", {0.00631, -0.01016, 0.0066}},
+                                      {"time_of_flight", *SensorNoise::preset("time_of_flight")}};
 const std::vector<double> kSigmas = {0.0, 2.0, 3.0, 4.0, 5.0};
 
 geometry::Plane cameraFloor()

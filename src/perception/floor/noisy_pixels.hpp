@@ -9,7 +9,7 @@
 
 #include "perception/planes/plane_fit.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/perception/planes/sensor_noise.hpp"
+#include "polygonal_perception/perception/input/sensor_noise.hpp"
 
 namespace polygonal_perception::perception {
 

@@ -38,13 +38,13 @@ DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ro
       log_(log),
       publisher_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1))
 {
-  timer_ = ros::NodeHandle(handle).createWallTimer(
-      ros::WallDuration(readPeriod(private_handle)),
-      unsubscribingOutside(gate, [this, retry = std::move(retry)] {
-        InputTopics::Unsubscribed unsubscribed = retry();
-        report();
-        return unsubscribed;
-      }));
+  timer_ =
+      ros::NodeHandle(handle).createWallTimer(ros::WallDuration(readPeriod(private_handle)),
+                                              unsubscribingOutside(gate, [this, retry = std::move(retry)] {
+                                                InputTopics::Unsubscribed unsubscribed = retry();
+                                                report();
+                                                return unsubscribed;
+                                              }));
 }
 
 void DiagnosticsReporter::report()

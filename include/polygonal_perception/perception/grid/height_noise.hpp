@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/perception/planes/sensor_noise.hpp"
+#include "polygonal_perception/perception/input/sensor_noise.hpp"
 
 namespace polygonal_perception::perception {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "polygonal_perception/parameters/parameter_table.hpp"
-#include "polygonal_perception/perception/planes/sensor_noise.hpp"
+#include "polygonal_perception/perception/input/sensor_noise.hpp"
 
 namespace polygonal_perception::perception {
 
