@@ -62,6 +62,11 @@ TEST_F(DiagnosticsTest, SilenceIsAnErrorThatNamesTheTopic)
   state_.awaited_is_published = false;
   EXPECT_EQ(report(milliseconds(2500)).message,
             "no frame for 2.5 s: waiting for /camera/points, which nobody publishes");
+  state_.awaited_other_type = "sensor_msgs/CompressedImage";
+  EXPECT_EQ(report(milliseconds(2500)).message,
+            "no frame for 2.5 s: waiting for /camera/points, which is published as "
+            "sensor_msgs/CompressedImage: not "
+            "what this node reads");
 }
 
 TEST_F(DiagnosticsTest, CountsRateAndTimes)

@@ -30,7 +30,7 @@ double readPeriod(const ros::NodeHandle& private_handle)
 }  // namespace
 
 DiagnosticsReporter::DiagnosticsReporter(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                                         std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
+                                         const std::shared_ptr<CallbackGate>& gate, ThrottledLog& log,
                                          std::function<InputTopics::Unsubscribed()> retry,
                                          std::function<void(Status&)> fill)
     : name_(private_handle.getNamespace().substr(1) + ": frames"),

@@ -1,14 +1,48 @@
 #include "polygonal_perception/ros/common/input_topics.hpp"
 
+#include <image_transport/image_transport.h>
+
 #include <exception>
 #include <utility>
+
+#include "polygonal_perception/ros/common/published_type.hpp"
 
 namespace polygonal_perception::ros_common {
 
 InputTopics::InputTopics(const ros::NodeHandle& handle, const std::string& node,
                          std::shared_ptr<CallbackGate> gate)
-    : handle_(handle), namespace_(ros::names::parentNamespace(node)), gate_(std::move(gate))
+    : handle_(handle), node_(node), namespace_(ros::names::parentNamespace(node)), gate_(std::move(gate))
 {
+}
+
+void InputTopics::addImage(const char* topic, const std::string& transport,
+                           std::function<void(const sensor_msgs::ImageConstPtr&)> action)
+{
+  if (transport == "raw") {
+    add<sensor_msgs::Image>(topic, std::move(action));
+    return;
+  }
+  const std::string name = ros::names::append(namespace_, topic);
+  topics_.push_back({name, [this, name, transport, action = std::move(action)] {
+                       // image_transport appends the transport's name, to which no remapping applies.
+                       const std::string base = handle_.resolveName(name);
+                       const image_transport::TransportHints hints(
+                           transport, ros::TransportHints().tcpNoDelay(), ros::NodeHandle(node_));
+                       const boost::function<void(const sensor_msgs::ImageConstPtr&)> take =
+                           gated(gate_, action);
+                       const auto subscriber = std::make_shared<image_transport::Subscriber>(
+                           image_transport::ImageTransport(handle_).subscribe(base, kQueueSize, take,
+                                                                              ros::VoidPtr(), hints));
+                       return Subscription{subscriber, base + "/" + transport, "",
+                                           [subscriber] { return subscriber->getNumPublishers(); }};
+                     }});
+}
+
+std::string InputTopics::otherType() const
+{
+  if (!active() || subscribers_.back().type.empty()) return {};
+  const std::string type = publishedType(subscribers_.back().topic);
+  return type == subscribers_.back().type ? std::string() : type;
 }
 
 InputTopics::Unsubscribed InputTopics::setSubscribed(bool wanted)

@@ -92,8 +92,8 @@ std::vector<Eigen::Vector2d> toVertices(const geometry_msgs::Polygon& polygon)
 Expected<geometry::PolygonSet> toPolygonSet(const ObstaclePolygon& polygon)
 {
   geometry::PolygonSet polygons;
-  std::string wrong = append(polygon, polygons);
-  if (!wrong.empty()) return Expected<geometry::PolygonSet>::failure(std::move(wrong));
+  const std::string wrong = append(polygon, polygons);
+  if (!wrong.empty()) return Expected<geometry::PolygonSet>::failure(wrong);
   return polygons;
 }
 

@@ -57,8 +57,7 @@ void summarize(const NodeState& state, const ros_common::FrameStatistics& statis
     status.summary(DiagnosticStatus::OK, "idle: nobody reads an output");
   } else if (silence > kLongSilence) {
     status.summaryf(DiagnosticStatus::ERROR, "no frame for %.1f s: waiting for %s%s", silence,
-                    state.awaited_topic.c_str(),
-                    state.awaited_is_published ? "" : ", which nobody publishes");
+                    state.awaited_topic.c_str(), publicationText(state).c_str());
   } else if (statistics.recentlyReceived() > 0 &&
              statistics.recentlyRejected() >= statistics.recentlyReceived()) {
     status.summary(DiagnosticStatus::ERROR, "every frame is rejected: " + statistics.lastRejection());
@@ -76,6 +75,13 @@ void summarize(const NodeState& state, const ros_common::FrameStatistics& statis
 }
 
 }  // namespace
+
+std::string publicationText(const NodeState& state)
+{
+  if (state.awaited_is_published) return {};
+  if (state.awaited_other_type.empty()) return ", which nobody publishes";
+  return ", which is published as " + state.awaited_other_type + ": not what this node reads";
+}
 
 void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& statistics,
                      ros_common::FrameStatistics::Clock::time_point now, DiagnosticStatusWrapper& status)

@@ -20,11 +20,15 @@ struct NodeState
   std::string subscription_error;  ///< why it could not subscribe, else empty
   std::string awaited_topic;       ///< resolved name of the input that it cannot go on without
   bool awaited_is_published = false;
+  std::string awaited_other_type;  ///< as what it is published instead, or empty
   perception::FloorState floor;
   perception::ViewAxes heading;            ///< of the floor frame
   std::optional<CameraAttitude> attitude;  ///< where there is a floor
   std::string mount_disagreement;          ///< where it was found elsewhere than mount_frame says, else empty
 };
+
+/// What is wrong with the publication of the awaited topic, as the end of a sentence; empty where nothing is.
+std::string publicationText(const NodeState& state);
 
 /// Fills in a diagnostic status: OK when idle or with a floor, WARN without one, ERROR where frames fail to
 /// come or all are rejected.

@@ -44,12 +44,14 @@ private:
   void dropWaiting();
   void checkClock();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void sayOtherType(const NodeState& state);
 
   ros_common::NodeCore<PerceptionParameters> core_;
   std::unique_ptr<Outputs> outputs_;
   std::unique_ptr<FrameProcessor> processor_;
   std::deque<WaitingFrame> waiting_;
   ros::Time last_now_;
+  std::string said_other_type_;  // of the input, in the log
   ros::ServiceServer reset_;
   ros::WallTimer waiting_timer_;
   std::unique_ptr<ros_common::DiagnosticsReporter> diagnostics_;
@@ -91,9 +93,10 @@ void PerceptionNode::Implementation::makeMembers()
 void PerceptionNode::Implementation::addInputs()
 {
   if (core_.parameters->input == "depth") {
-    core_.inputs.add<sensor_msgs::Image>("depth/image", [this](const sensor_msgs::ImageConstPtr& image) {
-      onFrame({nullptr, image});
-    });
+    core_.inputs.addImage("depth/image", core_.parameters->image_transport,
+                          [this](const sensor_msgs::ImageConstPtr& image) {
+                            onFrame({nullptr, image});
+                          });
     core_.inputs.add<sensor_msgs::CameraInfo>(kCameraInfo,
                                               [this](const sensor_msgs::CameraInfoConstPtr& info) {
                                                 processor_->setCameraInfo(info);
@@ -192,6 +195,8 @@ void PerceptionNode::Implementation::diagnose(diagnostic_updater::DiagnosticStat
   state.subscription_error = core_.inputs.error();
   state.awaited_topic = core_.inputs.topic();
   state.awaited_is_published = core_.inputs.isPublished();
+  if (!state.awaited_is_published) state.awaited_other_type = core_.inputs.otherType();
+  sayOtherType(state);
   if (state.active) {  // else the next frame will know nothing of the last floor
     state.floor = processor_->floor();
     state.heading = processor_->heading();
@@ -201,6 +206,14 @@ void PerceptionNode::Implementation::diagnose(diagnostic_updater::DiagnosticStat
   const auto now = ros_common::FrameStatistics::Clock::now();
   fillDiagnostics(state, core_.statistics, now, status);
   core_.statistics.startReport(now);
+}
+
+/// roscpp says nothing of a topic that it cannot read, and the publisher says it in a log of its own.
+void PerceptionNode::Implementation::sayOtherType(const NodeState& state)
+{
+  if (state.awaited_other_type != said_other_type_ && !state.awaited_other_type.empty())
+    core_.log.warn("type", "waiting for " + state.awaited_topic + publicationText(state));
+  said_other_type_ = state.awaited_other_type;
 }
 
 PerceptionNode::PerceptionNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)

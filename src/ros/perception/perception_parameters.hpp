@@ -17,6 +17,10 @@ inline bool isInputKind(const std::string& text)
 {
   return text == "cloud" || text == "depth";
 }
+inline bool isTransport(const std::string& text)
+{
+  return !text.empty() && text.find('/') == std::string::npos;
+}
 inline bool isSensorNoise(const std::string& text)
 {
   return perception::SensorNoise::preset(text).has_value();
@@ -26,6 +30,7 @@ inline bool isSensorNoise(const std::string& text)
 struct PerceptionParameters
 {
   std::string input = "cloud";
+  std::string image_transport = "raw";
   double depth_unit = 0.001;  ///< [m]
   std::string floor_frame = "floor";
   std::string output_frame;
@@ -45,6 +50,9 @@ struct PerceptionParameters
     using parameters::TextRule;
     visit("input", self.input, TextRule{"cloud, depth", isInputKind},
           "What the camera's driver sends: a PointCloud2 or a depth image.");
+    visit(
+        "image_transport", self.image_transport, TextRule{"a transport", isTransport},
+        "How the depth image comes: raw, compressedDepth or another for which image_transport has a plugin.");
     visit("depth_unit", self.depth_unit, Range{1e-5, 0.1}, "m",
           "What a number in a 16UC1 depth image means.");
     visit("floor_frame", self.floor_frame, ros_common::kFrame,

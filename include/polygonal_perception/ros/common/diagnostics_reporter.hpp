@@ -33,7 +33,7 @@ public:
   /// @param retry   called before each report: what did not work then may work now
   /// @param fill    fills in a report
   DiagnosticsReporter(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                      std::shared_ptr<CallbackGate> gate, ThrottledLog& log,
+                      const std::shared_ptr<CallbackGate>& gate, ThrottledLog& log,
                       std::function<InputTopics::Unsubscribed()> retry, std::function<void(Status&)> fill);
 
 private:
