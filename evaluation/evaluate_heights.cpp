@@ -45,7 +45,7 @@ double leastHeight(const SensorNoise& sensor, double sigmas, double distance)
   const Eigen::Isometry3d from_floor = perception::floorFrame(floor, perception::ViewAxes{}).inverse();
   for (double height = perception::Projection::Parameters{}.min_height;; height += 0.001) {
     const Eigen::Vector3d point = from_floor * Eigen::Vector3d(distance, 0.0, height);
-    if (noise.isAbove(point.cast<float>(), static_cast<float>(sigmas))) return height;
+    if (height > sigmas * noise.sigma(point.cast<float>())) return height;
   }
 }
 
@@ -97,7 +97,7 @@ double falseCells(const SensorNoise& sensor, double sigmas, int patch)
     const std::vector<float> depth = noisyFloor(rays, sensor, patch, seed);
     const perception::PointView view =
         perception::PointView::depth(depth.data(), rays.column_slope.size() * sizeof(float), rays);
-    projection.project(view, perception::floorFrame(floor, perception::ViewAxes{}), grid, &noise);
+    projection.project(view, perception::floorFrame(floor, perception::ViewAxes{}), grid, {&noise, nullptr});
     cells += grid.count();
   }
   return static_cast<double>(cells) / kFrames;

@@ -7,10 +7,22 @@
 
 namespace polygonal_perception::perception {
 
+namespace {
+
+FloorTracker::Parameters trackerParameters(const Pipeline::Parameters& parameters)
+{
+  FloorTracker::Parameters tracker = parameters.tracker;
+  tracker.mount.has_slopes = parameters.ground.max_slope > 0.0;
+  return tracker;
+}
+
+}  // namespace
+
 Pipeline::Pipeline(const Parameters& parameters)
     : parameters_(parameters),
-      tracker_(parameters.tracker, parameters.detector),
+      tracker_(trackerParameters(parameters), parameters.detector),
       segmentation_(parameters.segmentation),
+      ground_planes_(parameters.ground),
       projection_(parameters.projection),
       drop_offs_(parameters.drop_offs),
       inflation_(parameters.inflation),
@@ -54,12 +66,14 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
 
   const HeightNoise noise(parameters_.detector.planes.noise, r.floor.floor.plane, r.floor.floor.covariance);
   // Section IV: into the floor frame and onto the grid, grown by the robot's radius, as polygons
+  HeightRules rules{&noise, nullptr};
+  if (ground_planes_.isActive()) run(Product::kGround, &Times::ground, [&] { rules.ground = mapGround(); });
   run(Product::kOccupancy, &Times::projection, [&] {
-    projection_.project(frame.points, r.to_floor_frame, r.occupancy, &noise);
-    drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy);
+    projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules);
+    drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy, rules.ground);
   });
   run(Product::kObstaclePoints, &Times::obstacle_points, [&] {
-    projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points, &noise);
+    projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points, rules);
   });
   run(Product::kInflation, &Times::inflation, [&] { inflation_.inflate(r.occupancy, r.inflated); });
   run(Product::kPolygons, &Times::polygons, [&] {
@@ -117,6 +131,21 @@ void Pipeline::findViewAxes(const Frame& frame)
   result_.heading = forward ? viewAxesAlong(*forward, initial_up) : result_.view;
 }
 
+const GroundMap* Pipeline::mapGround()
+{
+  const auto& planes = ground_planes_.find(tracker_.detector(), result_.floor.floor.plane);
+  if (planes.size() < 2) return nullptr;
+  const Eigen::Isometry3f to_floor_frame = result_.to_floor_frame.cast<float>();
+  ground_surfaces_.clear();
+  for (const GroundPlane& plane : planes) {
+    ground_surfaces_.push_back(GroundSurface::of(plane.plane, result_.to_floor_frame));
+    for (const Eigen::Vector3f& sample : plane.samples)
+      ground_surfaces_.back().samples.emplace_back((to_floor_frame * sample).head<2>());
+  }
+  ground_map_.build(result_.occupancy.geometry(), ground_surfaces_);
+  return &ground_map_;
+}
+
 void Pipeline::skip()
 {
   clearResult({});
@@ -137,8 +166,9 @@ void Pipeline::configure(const Parameters& parameters)
 {
   parameters_ = parameters;
   result_.samples = SampleGrid(parameters.samples);
-  tracker_.configure(parameters.tracker, parameters.detector);
+  tracker_.configure(trackerParameters(parameters), parameters.detector);
   segmentation_.configure(parameters.segmentation);
+  ground_planes_ = GroundPlanes(parameters.ground);
   projection_ = Projection(parameters.projection);
   drop_offs_ = DropOffs(parameters.drop_offs);
   inflation_ = Inflation(parameters.inflation);

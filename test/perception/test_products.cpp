@@ -8,7 +8,8 @@ namespace {
 TEST(Products, BringAllThatTheyAreMadeOf)
 {
   const Products polygons = Product::kPolygons;
-  for (const Product part : {Product::kPolygons, Product::kInflation, Product::kOccupancy, Product::kFloor}) {
+  for (const Product part :
+       {Product::kPolygons, Product::kInflation, Product::kOccupancy, Product::kGround, Product::kFloor}) {
     EXPECT_TRUE(polygons.has(part)) << "product " << static_cast<int>(part);
   }
   for (const Product other :

@@ -9,6 +9,7 @@
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
+#include "polygonal_perception/perception/floor/ground_planes.hpp"
 #include "polygonal_perception/perception/floor/view_axes.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/drop_offs.hpp"
@@ -43,6 +44,7 @@ public:
     FloorTracker::Parameters tracker;
     FloorDetector::Parameters detector;
     ViewAxesParameters view;
+    GroundPlanes::Parameters ground;
     PlaneSegmentation::Parameters segmentation;
     GridParameters grid;
     Projection::Parameters projection;
@@ -58,6 +60,7 @@ public:
       SampleGrid::Parameters::describe(self.samples, visit);
       FloorTracker::Parameters::describe(self.tracker, visit);
       FloorDetector::Parameters::describe(self.detector, visit);
+      GroundPlanes::Parameters::describe(self.ground, visit);
       GridParameters::describe(self.grid, visit);
       Projection::Parameters::describe(self.projection, visit);
       DropOffs::Parameters::describe(self.drop_offs, visit);
@@ -122,6 +125,8 @@ private:
   void findFloor(const Frame& frame);
   void listPlanes(const Frame& frame);
   void findViewAxes(const Frame& frame);
+  /// What heights count from beside the floor; nullptr: nothing.
+  const GroundMap* mapGround();
 
   template <class Stage>
   void run(Product product, StageTimes::Duration StageTimes::*time, Stage&& stage);
@@ -129,6 +134,9 @@ private:
   Parameters parameters_;
   FloorTracker tracker_;
   PlaneSegmentation segmentation_;
+  GroundPlanes ground_planes_;
+  std::vector<GroundSurface> ground_surfaces_;
+  GroundMap ground_map_;
   Projection projection_;
   DropOffs drop_offs_;
   Inflation inflation_;

@@ -14,6 +14,7 @@ enum class Product : std::uint8_t
   kSampleLabels,    ///< what became of each sample (figure 3 of the paper)
   kFloorHull,       ///< the convex hull of the floor's samples
   kPlanes,          ///< all planes, with outlines and ids
+  kGround,          ///< what heights count from beside the floor
   kOccupancy,       ///< the cells in which something stands
   kObstaclePoints,  ///< the points that stand in them
   kInflation,       ///< the cells within robot_radius of those
@@ -69,13 +70,15 @@ private:
         return Product::kInflation;
       case Product::kInflation:
         return Product::kOccupancy;
+      case Product::kOccupancy:
+      case Product::kObstaclePoints:
+        return Product::kGround;
       case Product::kFloorHull:
         return Product::kSampleLabels;
       case Product::kFloor:
       case Product::kSampleLabels:
       case Product::kPlanes:
-      case Product::kOccupancy:
-      case Product::kObstaclePoints:
+      case Product::kGround:
         break;
     }
     return Product::kFloor;
@@ -89,6 +92,7 @@ private:
       case Product::kFloorHull:
       case Product::kPlanes:
         return false;
+      case Product::kGround:
       case Product::kOccupancy:
       case Product::kObstaclePoints:
       case Product::kInflation:

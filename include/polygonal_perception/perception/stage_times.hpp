@@ -14,6 +14,7 @@ struct StageTimes
   Duration floor{0};
   Duration planes{0};
   Duration floor_hull{0};
+  Duration ground{0};
   Duration projection{0};
   Duration obstacle_points{0};
   Duration inflation{0};
@@ -27,6 +28,7 @@ struct StageTimes
     visit("floor", self.floor);
     visit("planes", self.planes);
     visit("floor hull", self.floor_hull);
+    visit("ground", self.ground);
     visit("projection", self.projection);
     visit("obstacle points", self.obstacle_points);
     visit("inflation", self.inflation);

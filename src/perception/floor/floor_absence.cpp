@@ -17,7 +17,7 @@ FloorAbsence explainAbsence(const PlaneExtraction& extraction, const FloorSelect
   if (!samples.empty())
     absence.point_share = static_cast<double>(points) / static_cast<double>(samples.size());
 
-  const double max_tilt = parameters.maxTilt(prior.up_is_measured);
+  const double max_tilt = prior.maxTiltWith(parameters);
   const auto facesUp = [&](const ExtractedPlane& plane) {
     return geometry::angleBetween(plane.fit.plane.normal, prior.up) <= max_tilt;
   };

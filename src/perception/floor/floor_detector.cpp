@@ -1,5 +1,7 @@
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 
+#include <cmath>
+
 #include "perception/floor/floor_absence.hpp"
 #include "perception/floor/floor_refinement.hpp"
 #include "perception/floor/floor_selection.hpp"
@@ -94,7 +96,8 @@ std::optional<FloorDetector::Workspace::Refined> FloorDetector::Workspace::refin
 {
   const HeightBounds bounds = prior.boundsWith(parameters.selection);
   const auto fits_the_camera = [&](const std::optional<FloorRefinement::Result>& result) {
-    return result && bounds.contain(result->fit.plane.distance);
+    return result && bounds.contain(result->fit.plane.distance) &&
+           geometry::angleBetween(result->fit.plane.normal, prior.up) <= prior.max_tilt.value_or(M_PI);
   };
   findRivals(candidate.fit.plane, parameters.refinement);
   const auto fit = refinement.refine(candidate.fit.plane, rivals, parameters.refinement);

@@ -111,7 +111,7 @@ void FloorSelection::rate(const PlaneExtraction& extraction, const FloorSelectio
 void FloorSelection::collect(const PlaneExtraction& extraction, const FloorSelectionParameters& parameters,
                              const FloorPrior& prior)
 {
-  const double max_tilt = parameters.maxTilt(prior.up_is_measured);
+  const double max_tilt = prior.maxTiltWith(parameters);
   bounds_ = prior.boundsWith(parameters);
   samples_ = extraction.samples().size();
   candidates_.clear();

@@ -41,6 +41,7 @@ FloorPrior FloorTracker::prior(double stamp, const FloorHints& hints) const
     prior.up = hints.mount->normal;
     prior.up_is_measured = true;
     prior.tilt_sigma = mount.tilt_about_mount;
+    if (mount.has_slopes) prior.max_tilt = mount.disagreement_sigmas * mount.mount_tilt_sigma;
     prior.bounds = HeightBounds{hints.mount->distance - slack, hints.mount->distance + slack};
     prior.level = hints.mount->normal;
   } else if (parameters_.up_feedback && known) {

@@ -48,10 +48,10 @@ void pack(const std::uint8_t* from, std::uint32_t count, const PointView::CloudS
 
 }  // namespace
 
-void CellScanner::begin(const PointView& points, const CellTransform& transform, const SureHeights& heights)
+void CellScanner::begin(const PointView& points, const CellTransform& transform, const StandingRule* rule)
 {
   points_ = points;
-  heights_ = heights;
+  rule_ = rule;
   transform_ = transform;
   transform_.nearest_squared = points.nearestSquared();
   transform_.farthest_squared = points.farthestSquared();
@@ -80,12 +80,12 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform,
 CellScanner::Row CellScanner::row(std::uint32_t v)
 {
   const std::uint32_t count = points_.layout() == PointLayout::kCloud ? cloudRow(v) : depthRow(v);
-  if (points_.leavesOut() || heights_.noise != nullptr) dropOthers(v, count);
+  if (points_.leavesOut() || rule_ != nullptr) dropOthers(v, count);
   return {blocks_.data(), blocks_.data() + count};
 }
 
-/// Takes out what the kernel does not know of: points in ignored boxes, and those whose height is not sure. The kernel
-/// leaves few points of a frame over.
+/// Takes out what the kernel does not know of: points in ignored boxes, and those that do not stand by the rule. It leaves
+/// few points of a frame over.
 void CellScanner::dropOthers(std::uint32_t v, std::uint32_t count)
 {
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -93,8 +93,7 @@ void CellScanner::dropOthers(std::uint32_t v, std::uint32_t count)
     for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
       if (block.cell[lane] == 0) continue;
       const Eigen::Vector3f point = points_.point(column(block, lane), v);  // NaN in an ignored box
-      const bool stands =
-          point.allFinite() && (heights_.noise == nullptr || heights_.noise->isAbove(point, heights_.sigmas));
+      const bool stands = point.allFinite() && (rule_ == nullptr || rule_->holds(point));
       if (!stands) block.cell[lane] = 0;
     }
   }

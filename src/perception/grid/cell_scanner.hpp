@@ -4,16 +4,33 @@
 #include <vector>
 
 #include "perception/grid/projection_kernel.hpp"
+#include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
 
-/// Which heights are above the floor beyond doubt; all, where there is no noise.
-struct SureHeights
+/// Which of the points that the kernel leaves over stand on the ground.
+struct StandingRule
 {
+  Eigen::Isometry3f to_floor_frame = Eigen::Isometry3f::Identity();
+  const GroundMap* ground = nullptr;  // null: the kernel's bounds have decided on the height
+  float min_height = 0.0F;            // [m] above the ground
+  float max_height = 0.0F;
   const HeightNoise* noise = nullptr;
   float sigmas = 0.0F;
+
+  /// @param point  in the input's frame
+  bool holds(const Eigen::Vector3f& point) const
+  {
+    const Eigen::Vector3f on_floor = to_floor_frame * point;
+    float height = on_floor.z();
+    if (ground != nullptr) {
+      height -= ground->heightAt(on_floor.x(), on_floor.y());
+      if (!(height >= min_height && height <= max_height)) return false;
+    }
+    return noise == nullptr || height > sigmas * noise->sigma(point);
+  }
 };
 
 /// Runs a frame through a projection kernel, row by row: brings any layout, any width and any alignment into
@@ -33,8 +50,8 @@ public:
 
   explicit CellScanner(const ProjectionKernel& kernel) : kernel_(&kernel) {}
 
-  /// Turns to a frame, which must stay where it is until its rows are done, as must the noise of its heights.
-  void begin(const PointView& points, const CellTransform& transform, const SureHeights& heights = {});
+  /// Turns to a frame, which must stay where it is until its rows are done, as must the rule; null: there is none.
+  void begin(const PointView& points, const CellTransform& transform, const StandingRule* rule = nullptr);
 
   /// The cells of row v; they stand until the next call.
   Row row(std::uint32_t v);
@@ -54,7 +71,7 @@ private:
   const std::uint8_t* pixel_ = nullptr;
   PointView points_;
   CellTransform transform_{};
-  SureHeights heights_;
+  const StandingRule* rule_ = nullptr;
   float unit_ = 1.0F;                 // [m] of the numbers in a depth image
   std::vector<float> column_shares_;  // of the height, the column and the row, one after the other
   std::vector<std::uint8_t> packed_;  // pixels that the kernel cannot take from where they lie

@@ -2,8 +2,8 @@
 
 namespace polygonal_perception::perception {
 
-void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                    BinaryGrid& occupancy) const
+void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
+                    const GroundMap* ground) const
 {
   // A floor's normal may be off by half a degree: so much further down, for each metre, a point must be.
   constexpr float kPerMetre = 0.01F;
@@ -17,7 +17,9 @@ void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_f
   for (std::uint32_t v = kStep / 2; v < points.height(); v += kStep) {
     for (std::uint32_t u = kStep / 2; u < points.width(); u += kStep) {
       const Eigen::Vector3f ray = transform.linear() * points.point(u, v);
-      const float depth_below = -(camera.z() + ray.z());
+      const Eigen::Vector3f point = camera + ray;
+      float depth_below = -point.z();
+      if (ground != nullptr && point.allFinite()) depth_below += ground->heightAt(point.x(), point.y());
       // Written so that NaN and infinity fail.
       if (!(depth_below > drop + kPerMetre * ray.norm() && depth_below < 1e3F)) continue;
       const Eigen::Vector3f crossing = camera + ray * (-camera.z() / ray.z());

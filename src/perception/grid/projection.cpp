@@ -42,6 +42,7 @@ struct Projection::Workspace
   explicit Workspace(const ProjectionKernel& kernel) : scanner(kernel) {}
 
   CellScanner scanner;
+  StandingRule rule;
   // The cells as the kernel numbers them: 0 takes what stands in none.
   std::vector<std::uint8_t> marks;   // whether anything stands there
   std::vector<std::uint8_t> counts;  // how much, kTurns numbers a cell, none beyond min_points_per_cell
@@ -59,9 +60,9 @@ Projection& Projection::operator=(Projection&& other) noexcept = default;
 Projection::~Projection() = default;
 
 void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy, const HeightNoise* noise)
+                         BinaryGrid& occupancy, const HeightRules& rules)
 {
-  begin(points, to_floor_frame, occupancy.geometry(), noise);
+  begin(points, to_floor_frame, occupancy.geometry(), rules);
   if (parameters_.min_points_per_cell <= 1) {
     markAny(points.height(), occupancy);
   } else {
@@ -70,11 +71,25 @@ void Projection::project(const PointView& points, const Eigen::Isometry3d& to_fl
 }
 
 void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                       const GridGeometry& geometry, const HeightNoise* noise)
+                       const GridGeometry& geometry, const HeightRules& rules)
 {
-  SureHeights heights;
-  if (parameters_.height_sigmas > 0.0) heights = {noise, static_cast<float>(parameters_.height_sigmas)};
-  workspace_->scanner.begin(points, cellTransform(to_floor_frame, geometry, parameters_), heights);
+  CellTransform transform = cellTransform(to_floor_frame, geometry, parameters_);
+  if (rules.ground != nullptr) {
+    transform.lowest += rules.ground->lowest();
+    transform.highest += rules.ground->highest();
+  }
+  const bool asks_noise = rules.noise != nullptr && parameters_.height_sigmas > 0.0;
+  if (!asks_noise && rules.ground == nullptr) {
+    workspace_->scanner.begin(points, transform, nullptr);
+    return;
+  }
+  workspace_->rule = {to_floor_frame.cast<float>(),
+                      rules.ground,
+                      static_cast<float>(parameters_.min_height),
+                      static_cast<float>(parameters_.max_height),
+                      asks_noise ? rules.noise : nullptr,
+                      static_cast<float>(parameters_.height_sigmas)};
+  workspace_->scanner.begin(points, transform, &workspace_->rule);
 }
 
 void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
@@ -117,11 +132,11 @@ void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
 
 void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
                          const GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing,
-                         const HeightNoise* noise)
+                         const HeightRules& rules)
 {
   standing.clear();
   CellScanner& scanner = workspace_->scanner;
-  begin(points, to_floor_frame, geometry, noise);
+  begin(points, to_floor_frame, geometry, rules);
   const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
   for (std::uint32_t v = 0; v < points.height(); ++v) {
     for (const CellBlock& block : scanner.row(v)) {

@@ -229,7 +229,7 @@ TEST_F(Selection, NoCameraTurnsFarBetweenFrames)
   prior_.up = Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()) * kFloor.normal;
   rate();
   EXPECT_TRUE(at(1.0).continues) << "a seed is only rough";
-  prior_.up_is_measured = true;
+  prior_.last = geometry::Plane{prior_.up, 1.0};
   rate();
   EXPECT_FALSE(at(1.0).continues) << "0.2 rad off what was measured";
   EXPECT_NEAR(termOf(1.0), 0.0, 1e-9);

@@ -37,15 +37,6 @@ TEST(HeightNoise, HasTheFloorsOwnUncertainty)
   EXPECT_NEAR(noise.sigma({5.0F, 0.0F, -1.0F}), std::hypot(0.05F, 0.02F), 1e-4F);
 }
 
-TEST(HeightNoise, TellsWhatIsAboveTheFloorBeyondDoubt)
-{
-  const HeightNoise noise(kTenthOfRange, kFloor, Eigen::Matrix4d::Zero());
-  const Eigen::Vector3f point(4.0F, 0.0F, -0.6F);  // 0.4 m above the floor, sigma 0.06
-  EXPECT_TRUE(noise.isAbove(point, 6.0F));
-  EXPECT_FALSE(noise.isAbove(point, 7.0F));
-  EXPECT_FALSE(noise.isAbove(Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()), 0.0F));
-}
-
 class HeightSigmas : public test::EveryKernel
 {
 };
@@ -64,7 +55,7 @@ TEST_P(HeightSigmas, LeaveOutWhatIsNotAboveTheFloorBeyondDoubt)
     parameters.height_sigmas = 3.0;
     BinaryGrid grid{GridGeometry(GridParameters{})};
     Projection projection(parameters, kernel());
-    projection.project(view, to_floor, grid, &noise);
+    projection.project(view, to_floor, grid, {&noise, nullptr});
 
     const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
     BinaryGrid expected{grid.geometry()};

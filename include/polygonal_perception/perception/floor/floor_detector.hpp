@@ -82,11 +82,16 @@ struct FloorPrior
       false;  ///< seen often enough that a lower plane is a drop, rather than the floor under a table
   PlaneOffsets others;  ///< level planes that were seen with it of late: none of them is the floor
   std::optional<double> tilt_sigma;  ///< [rad] how far a floor may be off `up`; no value: as usual
+  std::optional<double> max_tilt;    ///< [rad] the same as a bound
   /// Between which heights of the camera the floor is sought; no value: by the selection's parameters.
   std::optional<HeightBounds> bounds;
   /// What tf calls up, unit, in the input's frame: a bound, whatever `up` is.
   std::optional<Eigen::Vector3d> level;
 
+  double maxTiltWith(const FloorSelectionParameters& parameters) const
+  {
+    return max_tilt.value_or(parameters.maxTilt(up_is_measured));
+  }
   HeightBounds boundsWith(const FloorSelectionParameters& parameters) const
   {
     return bounds.value_or(HeightBounds{parameters.min_camera_height, parameters.max_camera_height});

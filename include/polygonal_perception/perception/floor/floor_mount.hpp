@@ -24,6 +24,9 @@ struct FloorMountParameters
   double tilt_about_mount = 0.06;
   /// A floor that lies this many standard deviations off, its own and the mount's together, disagrees.
   double disagreement_sigmas = 3.0;
+  /// Whether ground may slope (GroundPlanes): then a plane that is not level as the mount has it is a ramp ahead rather than
+  /// the floor of a camera that was knocked.
+  bool has_slopes = false;
   /// Of the samples must have a return: before a wall nearly all have, while with a lens that is covered nobody knows
   /// what is ahead.
   double least_view = 0.1;

@@ -5,6 +5,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
@@ -36,7 +37,9 @@ public:
   /// fourth row is looked at: at the grid's far end, 5 m, these are 3.5 cm apart across the view.
   /// @param to_floor_frame  from the input's frame, in whose origin the camera is, into the floor frame
   /// @param occupancy       cells are only ever added
-  void mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy) const;
+  /// @param ground          that a drop counts from; null: the floor
+  void mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
+            const GroundMap* ground = nullptr) const;
 
 private:
   Parameters parameters_;

@@ -19,7 +19,6 @@ public:
               const Eigen::Matrix4d& floor_covariance)
       : sensor_(sensor),
         normal_(floor.normal.cast<float>()),
-        distance_(static_cast<float>(floor.distance)),
         floor_covariance_(floor_covariance.cast<float>())
   {
   }
@@ -33,16 +32,9 @@ public:
     return std::sqrt(of_point * of_point + with_one.dot(floor_covariance_ * with_one));
   }
 
-  /// Whether a point is higher than so many standard deviations of its height. Never for NaN.
-  bool isAbove(const Eigen::Vector3f& point, float sigmas) const
-  {
-    return normal_.dot(point) + distance_ > sigmas * sigma(point);
-  }
-
 private:
   SensorNoise sensor_;
   Eigen::Vector3f normal_;
-  float distance_;
   Eigen::Matrix4f floor_covariance_;
 };
 

@@ -7,12 +7,20 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
 
 struct ProjectionKernel;
+
+/// What else decides whether a point stands on the ground; null: not asked.
+struct HeightRules
+{
+  const HeightNoise* noise = nullptr;  ///< for height_sigmas; none: heights are exact
+  const GroundMap* ground = nullptr;   ///< that heights count from; none: the floor
+};
 
 /// Transforms every point of a frame into the floor frame and marks the cells of the grid in which something
 /// stands (section IV).
@@ -60,21 +68,20 @@ public:
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew
-  /// @param noise           of the heights, for height_sigmas; null: they are exact
   void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-               const HeightNoise* noise = nullptr);
+               const HeightRules& rules = {});
 
   /// Collects the points that stand in a grid, however few there are in a cell.
   /// @param geometry  of the grid
   /// @param standing  filled anew, in the floor frame [m]
   void collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-               std::vector<Eigen::Vector3f>& standing, const HeightNoise* noise = nullptr);
+               std::vector<Eigen::Vector3f>& standing, const HeightRules& rules = {});
 
 private:
   struct Workspace;
 
   void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-             const HeightNoise* noise);
+             const HeightRules& rules);
   void markAny(std::uint32_t rows, BinaryGrid& occupancy);
   void markMany(std::uint32_t rows, BinaryGrid& occupancy);
 
