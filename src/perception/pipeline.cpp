@@ -136,11 +136,13 @@ const GroundMap* Pipeline::mapGround()
   const auto& planes = ground_planes_.find(tracker_.detector(), result_.floor.floor.plane);
   if (planes.size() < 2) return nullptr;
   const Eigen::Isometry3f to_floor_frame = result_.to_floor_frame.cast<float>();
-  ground_surfaces_.clear();
-  for (const GroundPlane& plane : planes) {
-    ground_surfaces_.push_back(GroundSurface::of(plane.plane, result_.to_floor_frame));
-    for (const Eigen::Vector3f& sample : plane.samples)
-      ground_surfaces_.back().samples.emplace_back((to_floor_frame * sample).head<2>());
+  ground_surfaces_.resize(planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    GroundSurface& surface = ground_surfaces_[k];
+    surface.setPlane(planes[k].plane, result_.to_floor_frame);
+    surface.samples.clear();
+    for (const Eigen::Vector3f& sample : planes[k].samples)
+      surface.samples.emplace_back((to_floor_frame * sample).head<2>());
   }
   ground_map_.build(result_.occupancy.geometry(), ground_surfaces_);
   return &ground_map_;

@@ -106,7 +106,10 @@ TEST(AllocationCounter, SeesEveryWayToAllocate)
 
 TEST_P(Allocations, OfThePipelineAreNoneOnceItIsWarm)
 {
-  Pipeline pipeline{Pipeline::Parameters{}};
+  Pipeline::Parameters parameters;
+  parameters.ground.max_slope = 0.2;
+  parameters.projection.height_sigmas = 3.0;
+  Pipeline pipeline{parameters};
   Frame frame;
   const auto [warming, warm] = count([&](const PointView& points) {
     frame.points = points;

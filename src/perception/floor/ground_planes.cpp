@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "perception/planes/plane_extraction.hpp"
 #include "polygonal_perception/geometry/angle.hpp"
@@ -32,12 +33,15 @@ struct GroundPlanes::Workspace
   std::vector<ReferencePlane> references;  // of each plane of the frame
   std::vector<Border> borders;             // of each two of them
   std::vector<std::uint8_t> is_ground;     // of each
+  std::vector<std::size_t> of_floor;       // of each, how many samples are the floor's
   std::vector<std::size_t> open;           // ground whose neighbours have not been looked at
   std::vector<GroundPlane> ground;
+  std::vector<GroundPlane> spare;  // of earlier frames, for their memory
 
   void compareBorders(const PlaneExtraction& extraction, const Parameters& parameters);
   void comparePair(const PlaneExtraction& extraction, std::uint32_t from, std::uint32_t to,
                    const Parameters& parameters);
+  GroundPlane& add(const geometry::Plane& plane);
   void take(const PlaneExtraction& extraction, std::size_t index);
   void seedAhead(const PlaneExtraction& extraction, const geometry::Plane& floor,
                  const Parameters& parameters);
@@ -57,21 +61,22 @@ const std::vector<GroundPlane>& GroundPlanes::find(const FloorDetector& detector
   Workspace& w = *workspace_;
   const PlaneExtraction& extraction = detector.extraction();
   const std::size_t count = extraction.planes().size();
-  w.ground.assign(1, {floor, {}});
+  for (; !w.ground.empty(); w.ground.pop_back()) w.spare.push_back(std::move(w.ground.back()));
+  w.add(floor);
   w.is_ground.assign(count, 0);
   w.open.clear();
   w.compareBorders(extraction, parameters_);
 
   // The floor's own samples, in whichever of the frame's planes they are.
-  std::vector<std::size_t> of_floor(count, 0);
+  w.of_floor.assign(count, 0);
   for (std::uint32_t k = 0; k < extraction.samples().size(); ++k) {
     if (detector.labels()[k] != SampleLabel::kFloor) continue;
     w.ground.front().samples.push_back(extraction.samples()[k].point);
     if (extraction.planeOf()[k] != PlaneSegments::kNone)
-      ++of_floor[static_cast<std::size_t>(extraction.planeOf()[k])];
+      ++w.of_floor[static_cast<std::size_t>(extraction.planeOf()[k])];
   }
   for (std::size_t k = 0; k < count; ++k) {
-    if (2 * of_floor[k] <= extraction.planes()[k].size) continue;
+    if (2 * w.of_floor[k] <= extraction.planes()[k].size) continue;
     w.is_ground[k] = 1;
     w.open.push_back(k);
   }
@@ -123,11 +128,21 @@ void GroundPlanes::Workspace::seedAhead(const PlaneExtraction& extraction, const
   take(extraction, index);
 }
 
+/// Without samples yet.
+GroundPlane& GroundPlanes::Workspace::add(const geometry::Plane& plane)
+{
+  if (spare.empty()) spare.emplace_back();
+  ground.push_back(std::move(spare.back()));
+  spare.pop_back();
+  ground.back().plane = plane;
+  ground.back().samples.clear();
+  return ground.back();
+}
+
 void GroundPlanes::Workspace::take(const PlaneExtraction& extraction, std::size_t index)
 {
   const ExtractedPlane& plane = extraction.planes()[index];
-  GroundPlane& more = ground.emplace_back();
-  more.plane = plane.fit.plane;
+  GroundPlane& more = add(plane.fit.plane);
   extraction.forEachMember(plane, [&](const NoisySample& sample) { more.samples.push_back(sample.point); });
 }
 

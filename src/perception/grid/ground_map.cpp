@@ -12,14 +12,12 @@ constexpr float kFar = 1e6F;  // [m]
 
 }  // namespace
 
-GroundSurface GroundSurface::of(const geometry::Plane& plane, const Eigen::Isometry3d& to_floor_frame)
+void GroundSurface::setPlane(const geometry::Plane& plane, const Eigen::Isometry3d& to_floor_frame)
 {
   const Eigen::Vector3d normal = to_floor_frame.linear() * plane.normal;
   const double distance = plane.distance - normal.dot(to_floor_frame.translation());
-  GroundSurface surface;
-  surface.slope = (-normal.head<2>() / normal.z()).cast<float>();
-  surface.offset = static_cast<float>(-distance / normal.z());
-  return surface;
+  slope = (-normal.head<2>() / normal.z()).cast<float>();
+  offset = static_cast<float>(-distance / normal.z());
 }
 
 void GroundMap::build(const GridGeometry& geometry, const std::vector<GroundSurface>& surfaces)

@@ -21,17 +21,24 @@ GroundSurface surface(float slope, float offset, float from, float to)
   return surface;
 }
 
+GroundSurface surfaceOf(const geometry::Plane& plane, const Eigen::Isometry3d& to_floor)
+{
+  GroundSurface surface;
+  surface.setPlane(plane, to_floor);
+  return surface;
+}
+
 const GridGeometry kGrid{GridParameters{}};
 
 TEST(GroundSurface, IsThePlaneInTheFloorFrame)
 {
   const geometry::Plane floor = test::floorSeenFrom(0.8, 0.3);
   const Eigen::Isometry3d to_floor = floorFrame(floor, ViewAxes{});
-  const GroundSurface level = GroundSurface::of(floor, to_floor);
+  const GroundSurface level = surfaceOf(floor, to_floor);
   EXPECT_NEAR(level.at(3.0F, 1.0F), 0.0F, 1e-6F);
-  EXPECT_NEAR(GroundSurface::of(test::raised(floor, 0.2), to_floor).at(3.0F, 1.0F), 0.2F, 1e-6F);
+  EXPECT_NEAR(surfaceOf(test::raised(floor, 0.2), to_floor).at(3.0F, 1.0F), 0.2F, 1e-6F);
   // As a camera sees a floor that looks farther down: it rises ahead.
-  const GroundSurface rising = GroundSurface::of(test::floorSeenFrom(0.8, 0.4), to_floor);
+  const GroundSurface rising = surfaceOf(test::floorSeenFrom(0.8, 0.4), to_floor);
   EXPECT_NEAR(rising.at(1.0F, 0.0F) - rising.at(0.0F, 0.0F), std::tan(0.1F), 1e-6F);
 }
 
@@ -103,7 +110,7 @@ TEST(GroundMap, ARampDownIsNoDrop)
   scene.add(down, [](const Eigen::Vector3d& p) { return p.z() >= 2.0; });
   scene.add(floor, [](const Eigen::Vector3d& p) { return p.z() < 2.0; });
   GroundMap map;
-  std::vector<GroundSurface> surfaces = {surface(0.0F, 0.0F, 0.1F, 2.0F), GroundSurface::of(down, to_floor)};
+  std::vector<GroundSurface> surfaces = {surface(0.0F, 0.0F, 0.1F, 2.0F), surfaceOf(down, to_floor)};
   surfaces[1].samples = surface(0.0F, 0.0F, 2.1F, 4.9F).samples;
   map.build(kGrid, surfaces);
   BinaryGrid grid(kGrid);

@@ -20,7 +20,7 @@ struct GroundSurface
 
   /// @param plane           in the input's frame, not upright
   /// @param to_floor_frame  from there
-  static GroundSurface of(const geometry::Plane& plane, const Eigen::Isometry3d& to_floor_frame);
+  void setPlane(const geometry::Plane& plane, const Eigen::Isometry3d& to_floor_frame);
 
   float at(float x, float y) const { return slope.x() * x + slope.y() * y + offset; }
 };
