@@ -17,13 +17,19 @@ namespace {
 struct Border
 {
   double pairs = 0.0;
-  double meeting = 0.0;
+  double step = 0.0;  // [m] sum over the pairs
+
+  bool meets(const GroundPlanes::Parameters& parameters) const
+  {
+    return pairs >= parameters.least_pairs && step < parameters.least_step * pairs;
+  }
 };
 
-/// How many standard deviations a sample lies above a plane.
-float sigmasAbove(const ReferencePlane& plane, const NoisySample& sample)
+/// [m] How high the step between two planes is, by the height of a sample of each above the other: 0 where both samples
+/// lie on the same side, for there the planes meet between them.
+float stepHeight(float first, float second)
 {
-  return std::copysign(std::sqrt(plane.deviation(sample)), plane.height(sample.point));
+  return (first < 0.0F) != (second < 0.0F) ? std::min(std::abs(first), std::abs(second)) : 0.0F;
 }
 
 }  // namespace
@@ -88,9 +94,7 @@ const std::vector<GroundPlane>& GroundPlanes::find(const FloorDetector& detector
     w.open.pop_back();
     for (std::size_t there = 0; there < count; ++there) {
       const Border& border = w.borders[here * count + there];
-      if (w.is_ground[there] != 0 || border.pairs < parameters_.least_pairs ||
-          border.meeting < parameters_.meeting_share * border.pairs)
-        continue;
+      if (w.is_ground[there] != 0 || !border.meets(parameters_)) continue;
       const geometry::Plane& plane = extraction.planes()[there].fit.plane;
       if (geometry::angleBetween(plane.normal, floor.normal) > parameters_.max_slope) continue;
       w.is_ground[there] = 1;
@@ -181,13 +185,10 @@ void GroundPlanes::Workspace::comparePair(const PlaneExtraction& extraction, std
   const NoisySample& on_b = extraction.samples()[to];
   const float nearer = std::min(on_a.range, on_b.range);
   if ((on_a.point - on_b.point).norm() > static_cast<float>(parameters.nearest_pair) * nearer) return;
-  const auto sigmas = static_cast<float>(parameters.step_sigmas);
-  const float a_above = sigmasAbove(references[b], on_a);
-  const float b_above = sigmasAbove(references[a], on_b);
-  const bool is_step = (a_above > sigmas && b_above < -sigmas) || (a_above < -sigmas && b_above > sigmas);
+  const float step = stepHeight(references[b].height(on_a.point), references[a].height(on_b.point));
   for (Border* const border : {&borders[a * references.size() + b], &borders[b * references.size() + a]}) {
     border->pairs += 1.0;
-    border->meeting += is_step ? 0.0 : 1.0;
+    border->step += step;
   }
 }
 

@@ -93,7 +93,7 @@ TEST_F(GroundPlanesTest, TooSteepIsNone)
 
 TEST_F(GroundPlanesTest, AStepIsNone)
 {
-  for (const double height : {-0.5, -0.2, -0.1, 0.1, 0.15, 0.3}) {
+  for (const double height : {-0.5, -0.2, -0.1, -0.05, 0.04, 0.05, 0.1, 0.15, 0.3}) {
     tracker_.reset();
     EXPECT_EQ(find(thenAPlane(1.5, test::raised(kFloor, height))).size(), 1U) << height;
   }

@@ -29,10 +29,9 @@ public:
   struct Parameters
   {
     double max_slope = 0.0;  ///< [rad] against the floor; 0: the floor is all
-    /// Standard deviations that make a step: less may be the noise of a border's samples.
-    double step_sigmas = 3.0;
-    /// The least share of a border's pairs of samples that meet: the rest may be a wall's foot or a box on the hinge.
-    double meeting_share = 0.6;
+    /// [m] In the mean over a border: half of what min_height calls an obstacle by default, so that no kerb is taken for a
+    /// hinge, however noisy its samples are.
+    double least_step = 0.015;
     /// Pairs of samples, at least: fewer are a corner that happens to touch.
     double least_pairs = 3.0;
     /// [m] A plane that passes the robot's foot so nearly meets the floor there: a robot's wheels stand on it.
