@@ -26,8 +26,9 @@ struct StandingRule
     const Eigen::Vector3f on_floor = to_floor_frame * point;
     float height = on_floor.z();
     if (ground != nullptr) {
-      height -= ground->heightAt(on_floor.x(), on_floor.y());
-      if (!(height >= min_height && height <= max_height)) return false;
+      const GroundMap::Span span = ground->at(on_floor.x(), on_floor.y());
+      if (!(height - span.lower >= min_height && height - span.higher <= max_height)) return false;
+      height -= span.lower;
     }
     return noise == nullptr || height > sigmas * noise->sigma(point);
   }

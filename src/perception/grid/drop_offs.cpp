@@ -19,7 +19,7 @@ void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_f
       const Eigen::Vector3f ray = transform.linear() * points.point(u, v);
       const Eigen::Vector3f point = camera + ray;
       float depth_below = -point.z();
-      if (ground != nullptr && point.allFinite()) depth_below += ground->heightAt(point.x(), point.y());
+      if (ground != nullptr && point.allFinite()) depth_below += ground->at(point.x(), point.y()).higher;
       // Written so that NaN and infinity fail.
       if (!(depth_below > drop + kPerMetre * ray.norm() && depth_below < 1e3F)) continue;
       const Eigen::Vector3f crossing = camera + ray * (-camera.z() / ray.z());

@@ -55,11 +55,11 @@ void GroundMap::build(const GridGeometry& geometry, const std::vector<GroundSurf
       const auto x = static_cast<float>(geometry.origin_x + (column + corner) * geometry.resolution);
       const auto y = static_cast<float>(geometry.origin_y + (row + corner) * geometry.resolution);
       // A slope across the corners that are not looked at is within a cell of those that are.
-      const float height = std::max(surfaces_[first].at(x, y), surfaces_[second].at(x, y));
+      const Span ground = at(x, y);
       const auto across = static_cast<float>(geometry.resolution) *
                           std::max(surfaces_[first].slope.norm(), surfaces_[second].slope.norm());
-      lowest_ = std::min(lowest_, height - across);
-      highest_ = std::max(highest_, height + across);
+      lowest_ = std::min(lowest_, ground.lower - across);
+      highest_ = std::max(highest_, ground.higher + across);
     }
   }
 }

@@ -46,10 +46,10 @@ TEST(GroundMap, HeightsAreThoseOfTheSurfaceThatWasSeenThere)
 {
   GroundMap map;
   map.build(kGrid, {surface(0.0F, 0.0F, 0.1F, 2.0F), surface(0.1F, -0.2F, 2.1F, 4.9F)});
-  EXPECT_NEAR(map.heightAt(1.0F, 0.0F), 0.0F, 1e-6F);
-  EXPECT_NEAR(map.heightAt(3.0F, 0.0F), 0.1F, 1e-6F);
-  EXPECT_NEAR(map.heightAt(4.5F, -2.0F), 0.25F, 1e-6F);
-  EXPECT_NEAR(map.heightAt(7.0F, 0.0F), 0.5F, 1e-6F) << "beyond the grid its last cell's surface goes on";
+  EXPECT_NEAR(map.at(1.0F, 0.0F).higher, 0.0F, 1e-6F);
+  EXPECT_NEAR(map.at(3.0F, 0.0F).higher, 0.1F, 1e-6F);
+  EXPECT_NEAR(map.at(4.5F, -2.0F).higher, 0.25F, 1e-6F);
+  EXPECT_NEAR(map.at(7.0F, 0.0F).higher, 0.5F, 1e-6F) << "beyond the grid its last cell's surface goes on";
   EXPECT_LE(map.lowest(), 0.0F);
   EXPECT_GT(map.lowest(), -0.05F);
   EXPECT_GE(map.highest(), 0.3F);
@@ -61,15 +61,33 @@ TEST(GroundMap, BetweenTwoSurfacesTheHigherOneCounts)
   GroundMap map;
   // A crest: the ramp would go on rising.
   map.build(kGrid, {surface(0.1F, 0.0F, 0.1F, 2.0F), surface(0.0F, 0.2F, 2.1F, 4.9F)});
-  EXPECT_NEAR(map.heightAt(2.15F, 0.0F), 0.215F, 1e-6F);
-  EXPECT_NEAR(map.heightAt(3.0F, 0.0F), 0.2F, 1e-6F);
+  EXPECT_NEAR(map.at(2.15F, 0.0F).higher, 0.215F, 1e-6F);
+  EXPECT_NEAR(map.at(3.0F, 0.0F).higher, 0.2F, 1e-6F);
+}
+
+TEST(GroundMap, WhereNothingWasSeenTheFloorCountsToo)
+{
+  GroundMap map;
+  map.build(kGrid, {surface(0.0F, 0.0F, 0.1F, 1.0F), surface(0.2F, -0.2F, 1.1F, 2.0F)});
+  EXPECT_NEAR(map.at(1.8F, 0.0F).lower, 0.16F, 1e-6F) << "seen";
+  const GroundMap::Span beyond = map.at(4.0F, 0.0F);
+  EXPECT_NEAR(beyond.lower, 0.0F, 1e-6F);
+  EXPECT_NEAR(beyond.higher, 0.6F, 1e-6F);
+  // A box on the level ground at the ramp's end, lower than the ramp would be if it went on.
+  const float box[] = {4.02F, 0.02F, 0.4F};
+  BinaryGrid grid(kGrid);
+  PointView::CloudStrides strides;
+  strides.row_step = strides.point_step = sizeof box;
+  Projection{Projection::Parameters{}}.project(PointView::cloud(box, 1, 1, strides),
+                                               Eigen::Isometry3d::Identity(), grid, {nullptr, &map});
+  EXPECT_EQ(grid.count(), 1U);
 }
 
 TEST(GroundMap, ASurfaceWithoutSamplesIsNowhere)
 {
   GroundMap map;
   map.build(kGrid, {GroundSurface{}, surface(0.0F, 0.3F, 1.0F, 4.9F)});
-  EXPECT_NEAR(map.heightAt(0.2F, 0.0F), 0.3F, 1e-6F);
+  EXPECT_NEAR(map.at(0.2F, 0.0F).higher, 0.3F, 1e-6F);
 }
 
 /// Points on a ramp of 0.1 from 2 m on, and one thing that stands on it.

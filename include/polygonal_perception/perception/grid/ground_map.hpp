@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,14 +35,29 @@ public:
   static constexpr float kBlend = 0.3F;
 
   /// Makes the map anew. Allocates only when the grid or the number of surfaces grows.
-  /// @param surfaces  at least one, each with a sample but for the first, which then is nowhere the nearest
+  /// @param surfaces  the floor, and others with a sample each; a floor without samples is nowhere the nearest
   void build(const GridGeometry& geometry, const std::vector<GroundSurface>& surfaces);
 
-  /// [m] Height of the ground under a point of the floor frame. Outside of the grid that of its nearest cell counts.
-  float heightAt(float x, float y) const
+  /// [m] Farther than this from where it was seen nobody knows whether a ramp goes on: what stands there is looked for
+  /// above the lower and up to the higher one of the ramp and the floor.
+  static constexpr float kSeen = 0.8F;
+
+  /// [m] Between which heights the ground lies; one, where it was seen.
+  struct Span
   {
-    const auto& [first, second] = surfaces_of_[cellOf(x, y)];
-    return std::max(surfaces_[first].at(x, y), surfaces_[second].at(x, y));
+    float lower;
+    float higher;
+  };
+
+  /// Under a point of the floor frame. Outside of the grid what its nearest cell has counts.
+  Span at(float x, float y) const
+  {
+    const std::size_t cell = cellOf(x, y);
+    const auto& [first, second] = surfaces_of_[cell];
+    const float height = std::max(surfaces_[first].at(x, y), surfaces_[second].at(x, y));
+    if (nearest_[cell] <= kSeen) return {height, height};
+    const float floor = surfaces_.front().at(x, y);
+    return {std::min(height, floor), std::max(height, floor)};
   }
 
   /// [m] Between what heights all ground of the grid lies.
