@@ -125,6 +125,37 @@ TEST(Trajectory, NaoSwaysAndNods)
   EXPECT_GT(highest_roll, 1.5 * kDegree);
 }
 
+TEST(Trajectory, InACourseTheRobotDrivesItsWayAsTiltedAsTheGround)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Scene scene = makeScene("ramps", seed);
+    const auto trajectory = makeTrajectory("robotino", scene, seed);
+    double highest = 0.0;
+    double steepest = 0.0;
+    double farthest = -1e9;
+    for (double time = 0.0; time < 100.0; time += 0.1) {
+      const Eigen::Isometry3d base = trajectory->base(time);
+      const Eigen::Vector3d place = base.translation();
+      EXPECT_TRUE(base.linear().isUnitary(1e-9) && base.linear().determinant() > 0.0);
+      // On a crest the wheels carry the robot's middle over it or let it sink by a few millimetres.
+      EXPECT_NEAR(place.z(), scene.groundHeight(place.head<2>()), 0.01)
+          << "seed " << seed << " at " << place.transpose();
+      const Eigen::Vector3d camera = base.inverse() * trajectory->pose(time).translation();
+      EXPECT_LT(camera.head<2>().norm(), 1e-9) << "above the robot's middle";
+      for (const Outline& outline : scene.obstacles(time, place.z() + 0.1, place.z() + 0.5))
+        EXPECT_GT(distanceTo(outline, place.head<2>()), 0.3)
+            << "seed " << seed << " at " << place.transpose();
+      highest = std::max(highest, place.z());
+      steepest = std::max(steepest, std::acos(base.linear()(2, 2)));
+      farthest = std::max(farthest, place.x());
+    }
+    EXPECT_GT(highest, 0.12) << "seed " << seed;
+    EXPECT_GT(steepest, 3.9 * kDegree) << "seed " << seed;
+    EXPECT_LT(steepest, 7.2 * kDegree) << "seed " << seed;
+    EXPECT_GT(farthest, 8.0) << "seed " << seed;
+  }
+}
+
 TEST(Trajectory, UnknownNameIsRefused)
 {
   EXPECT_THROW(makeTrajectory("flying", makeScene("office", 1), 1), std::invalid_argument);

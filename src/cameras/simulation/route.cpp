@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace polygonal_perception::simulation {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kStop = 0.5;         // [m] the way is free for this beyond a s
 constexpr double kShortestLeg = 0.5;  // [s]
 constexpr double kPeak = 1.5;         // highest speed of the easing function over its mean
 
-RoutePose drawAnywhere(const ViewArea& area, Random& random)
+Waypoint drawAnywhere(const ViewArea& area, Random& random)
 {
   const Eigen::Vector2d local =
       area.half_size.cwiseProduct(Eigen::Vector2d(random.uniform(-1, 1), random.uniform(-1, 1)));
@@ -26,12 +27,12 @@ RoutePose drawAnywhere(const ViewArea& area, Random& random)
 
 /// The farthest of some places that a straight way leads to; where there is none, another heading at the same
 /// place.
-RoutePose drawNext(const FreeSpace& space, const ViewArea& area, Random& random, const RoutePose& last,
-                   double beyond)
+Waypoint drawNext(const FreeSpace& space, const ViewArea& area, Random& random, const Waypoint& last,
+                  double beyond)
 {
-  RoutePose next{last.position, drawAnywhere(area, random).yaw};
+  Waypoint next{last.position, drawAnywhere(area, random).yaw};
   for (int i = 0; i < kLegTries; ++i) {
-    const RoutePose other = drawAnywhere(area, random);
+    const Waypoint other = drawAnywhere(area, random);
     const Eigen::Vector2d way = other.position - last.position;
     if (way.norm() <= (next.position - last.position).norm()) continue;
     if (space.containsSegment(last.position, other.position + beyond * way.normalized())) next = other;
@@ -40,12 +41,12 @@ RoutePose drawNext(const FreeSpace& space, const ViewArea& area, Random& random,
 }
 
 /// The longest of some ways: not one from a corner between tables that leads nowhere.
-std::vector<RoutePose> drawStops(const FreeSpace& space, const ViewArea& area, Random& random, double beyond)
+std::vector<Waypoint> drawStops(const FreeSpace& space, const ViewArea& area, Random& random, double beyond)
 {
-  std::vector<RoutePose> best;
+  std::vector<Waypoint> best;
   double best_length = -1.0;
   for (int i = 0; i < kWays; ++i) {
-    std::vector<RoutePose> stops{drawPose(space, area, random)};
+    std::vector<Waypoint> stops{drawPose(space, area, random)};
     double length = 0.0;
     while (stops.size() < kStops) {
       stops.push_back(drawNext(space, area, random, stops.back(), beyond));
@@ -60,10 +61,10 @@ std::vector<RoutePose> drawStops(const FreeSpace& space, const ViewArea& area, R
 
 }  // namespace
 
-RoutePose drawPose(const FreeSpace& space, const ViewArea& area, Random& random)
+Waypoint drawPose(const FreeSpace& space, const ViewArea& area, Random& random)
 {
   for (int i = 0; i < kTries; ++i) {
-    RoutePose pose = drawAnywhere(area, random);
+    Waypoint pose = drawAnywhere(area, random);
     if (space.contains(pose.position)) return pose;
   }
   throw std::runtime_error("a scene leaves the camera no room");
@@ -72,11 +73,20 @@ RoutePose drawPose(const FreeSpace& space, const ViewArea& area, Random& random)
 Route::Route(const FreeSpace& space, const ViewArea& area, Random& random, const Pace& pace)
 {
   const bool looks_ahead = area.yaw_spread >= kPi;
-  std::vector<RoutePose> stops = drawStops(space, area, random, looks_ahead ? kStop : 0.0);
+  addLegs(drawStops(space, area, random, looks_ahead ? kStop : 0.0), looks_ahead, pace);
+}
+
+Route::Route(std::vector<Waypoint> places, const Pace& pace)
+{
+  addLegs(std::move(places), true, pace);
+}
+
+void Route::addLegs(std::vector<Waypoint> stops, bool looks_ahead, const Pace& pace)
+{
   // There and back again.
-  for (std::size_t i = kStops - 1; i-- > 0;) stops.push_back(stops[i]);
+  for (std::size_t i = stops.size() - 1; i-- > 0;) stops.push_back(stops[i]);
   if (!looks_ahead) {
-    for (const RoutePose& stop : stops) addPlace(stop, pace);
+    for (const Waypoint& stop : stops) addPlace(stop, pace);
     return;
   }
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
@@ -88,14 +98,14 @@ Route::Route(const FreeSpace& space, const ViewArea& area, Random& random, const
   addPlace(places_.front(), pace);
 }
 
-void Route::addPlace(const RoutePose& place, const Pace& pace)
+void Route::addPlace(const Waypoint& place, const Pace& pace)
 {
   if (places_.empty()) {
     places_.push_back(place);
     arrivals_.push_back(0.0);
     return;
   }
-  const RoutePose last = places_.back();
+  const Waypoint last = places_.back();
   // Turn by the shorter way.
   const double turn = std::remainder(place.yaw - last.yaw, 2.0 * kPi);
   const double duration =
@@ -104,15 +114,15 @@ void Route::addPlace(const RoutePose& place, const Pace& pace)
   arrivals_.push_back(arrivals_.back() + std::max(kShortestLeg, kPeak * duration));
 }
 
-RoutePose Route::at(double time) const
+Waypoint Route::at(double time) const
 {
   const double t = std::fmod(time, arrivals_.back());
   const auto next = std::upper_bound(arrivals_.begin() + 1, arrivals_.end() - 1, t);
   const auto leg = static_cast<std::size_t>(next - arrivals_.begin());
   const double part = (t - arrivals_[leg - 1]) / (arrivals_[leg] - arrivals_[leg - 1]);
   const double eased = part * part * (3.0 - 2.0 * part);
-  const RoutePose& from = places_[leg - 1];
-  const RoutePose& to = places_[leg];
+  const Waypoint& from = places_[leg - 1];
+  const Waypoint& to = places_[leg];
   return {from.position + eased * (to.position - from.position), from.yaw + eased * (to.yaw - from.yaw)};
 }
 

@@ -1,5 +1,6 @@
 #include "polygonal_perception/cameras/simulation/scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -13,9 +14,10 @@ struct Layout
 {
   const char* name;
   void (*lay_out)(Scene&, Random&);
+  bool is_course = false;
 };
 
-constexpr std::array<Layout, 15> kLayouts{{{"corridor", layOutCorridor},
+constexpr std::array<Layout, 16> kLayouts{{{"corridor", layOutCorridor},
                                            {"office", layOutOffice},
                                            {"busy_office", layOutBusyOffice},
                                            {"person", layOutPerson},
@@ -29,7 +31,17 @@ constexpr std::array<Layout, 15> kLayouts{{{"corridor", layOutCorridor},
                                            {"kerb", layOutKerb},
                                            {"threshold", layOutThreshold},
                                            {"ramp", layOutRamp},
-                                           {"carpet", layOutCarpet}}};
+                                           {"carpet", layOutCarpet},
+                                           {"ramps", layOutRamps, true}}};
+
+std::vector<std::string> namesOf(bool courses)
+{
+  std::vector<std::string> names;
+  for (const Layout& layout : kLayouts) {
+    if (layout.is_course == courses) names.emplace_back(layout.name);
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -37,6 +49,16 @@ void Scene::walkersAt(double time, std::vector<Solid>& people) const
 {
   people.clear();
   for (const Walker& walker : walkers) addPerson(people, walker.at(time));
+}
+
+double Scene::groundHeight(const Eigen::Vector2d& place) const
+{
+  for (const Ground& ground : grounds) {
+    if (distanceTo(ground.outline, place) > 0.0) continue;
+    const geometry::Plane& plane = ground.plane;
+    return -(plane.normal.head<2>().dot(place) + plane.distance) / plane.normal.z();
+  }
+  return 0.0;
 }
 
 std::vector<Outline> Scene::obstacles(double time, double min_height, double max_height) const
@@ -56,12 +78,13 @@ std::vector<Outline> Scene::obstacles(double time, double min_height, double max
 
 const std::vector<std::string>& sceneNames()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    all.reserve(kLayouts.size());
-    for (const Layout& layout : kLayouts) all.emplace_back(layout.name);
-    return all;
-  }();
+  static const std::vector<std::string> names = namesOf(false);
+  return names;
+}
+
+const std::vector<std::string>& courseNames()
+{
+  static const std::vector<std::string> names = namesOf(true);
   return names;
 }
 
@@ -76,7 +99,7 @@ Scene makeScene(const std::string& name, std::uint64_t seed)
     return scene;
   }
   std::string known;
-  for (const std::string& other : sceneNames()) known += ' ' + other;
+  for (const Layout& layout : kLayouts) known += std::string(" ") + layout.name;
   throw std::invalid_argument("no scene is named '" + name + "'; there are:" + known);
 }
 

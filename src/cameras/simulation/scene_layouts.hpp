@@ -5,7 +5,7 @@
 
 namespace polygonal_perception::simulation {
 
-// Each lays out one kind of scene; see sceneNames().
+// Each lays out one kind of scene; see sceneNames() and courseNames().
 void layOutCorridor(Scene& scene, Random& random);
 void layOutOffice(Scene& scene, Random& random);
 void layOutBusyOffice(Scene& scene, Random& random);
@@ -21,5 +21,6 @@ void layOutKerb(Scene& scene, Random& random);
 void layOutThreshold(Scene& scene, Random& random);
 void layOutRamp(Scene& scene, Random& random);
 void layOutCarpet(Scene& scene, Random& random);
+void layOutRamps(Scene& scene, Random& random);
 
 }  // namespace polygonal_perception::simulation

@@ -40,18 +40,21 @@ void SimulatedCamera::render(std::uint32_t index, SimulatedFrame& frame)
   frame.index = index;
   frame.time = index / options_.rate;
   frame.camera_to_world = pose(index);
-  // The floor is z = 0: the height of a point p of the camera is the third row of the transform, applied to
-  // p.
-  frame.floor.normal = frame.camera_to_world.linear().row(2);
-  frame.floor.distance = frame.camera_to_world.translation().z();
+  frame.base_to_world = base(index);
+  // The floor is the robot's z = 0: the height of a point p of the camera is the third row of the transform, applied
+  // to p.
+  const Eigen::Isometry3d camera_to_base = frame.base_to_world.inverse() * frame.camera_to_world;
+  frame.floor.normal = camera_to_base.linear().row(2);
+  frame.floor.distance = camera_to_base.translation().z();
   caster_.cast(options_.camera, frame.camera_to_world, frame.time, frame.truth);
   noise_.apply(options_.camera, frame.truth, index, frame.depth);
 
+  const Surface stands_on = scene_->groundHeight(frame.base_to_world.translation().head<2>()) == 0.0
+                                ? Surface::kFloor
+                                : Surface::kGround;
   std::size_t floor_pixels = 0;
-  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    floor_pixels +=
-        static_cast<std::size_t>(frame.truth.surface[i] == Surface::kFloor && frame.depth[i] > 0.0F);
-  }
+  for (std::size_t i = 0; i < frame.depth.size(); ++i)
+    floor_pixels += static_cast<std::size_t>(frame.truth.surface[i] == stands_on && frame.depth[i] > 0.0F);
   frame.floor_fraction = static_cast<double>(floor_pixels) / static_cast<double>(frame.depth.size());
 }
 

@@ -64,31 +64,59 @@ private:
   std::array<Wave, 3> waves_{};
 };
 
+/// Where a robot stands on three wheels, at 60, 180 and 300 degrees from ahead.
+Eigen::Isometry3d standingOnWheels(const Scene& scene, const Waypoint& place)
+{
+  constexpr double kWheel = 0.165;  // [m] from the middle
+  const Eigen::Rotation2Dd turn(place.yaw);
+  std::array<Eigen::Vector3d, 3> contacts;
+  for (int wheel = 0; wheel < 3; ++wheel) {
+    const double angle = (60.0 + 120.0 * wheel) * kDegree;
+    const Eigen::Vector2d at =
+        place.position + turn * (kWheel * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    contacts[static_cast<std::size_t>(wheel)] << at, scene.groundHeight(at);
+  }
+  const Eigen::Vector3d up = (contacts[1] - contacts[0]).cross(contacts[2] - contacts[0]).normalized();
+  const Eigen::Vector3d ahead(std::cos(place.yaw), std::sin(place.yaw), 0.0);
+  const Eigen::Vector3d left = up.cross(ahead).normalized();
+  Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
+  base.linear() << left.cross(up), left, up;
+  base.translation() << place.position, (contacts[0] + contacts[1] + contacts[2]).z() / 3.0;
+  return base;
+}
+
 /// Robotino: three omnidirectional wheels whose rollers make the mast hum.
 class DrivingTrajectory : public Trajectory
 {
 public:
   DrivingTrajectory(const Scene& scene, Random random)
-      : hum_(random, 9.0, 17.0), rattle_(random, 11.0, 23.0), lean_(random, 0.1, 0.6)
+      : scene_(&scene), hum_(random, 9.0, 17.0), rattle_(random, 11.0, 23.0), lean_(random, 0.1, 0.6)
   {
     const auto [area, heights] = chooseArea(scene, random, {0.6, 1.0});
     height_ = random.uniform(heights.low, heights.high);
     pitch_ = random.uniform(5.0, 35.0) * kDegree;
     roll_ = random.uniform(-1.0, 1.0) * kDegree;
     const FreeSpace space(scene, 0.27, 0.03, height_ + 0.1);
-    route_ = Route(space, area, random, {random.uniform(0.25, 0.5), random.uniform(0.3, 0.8)});
+    const Route::Pace pace{random.uniform(0.25, 0.5), random.uniform(0.3, 0.8)};
+    route_ = scene.way.empty() ? Route(space, area, random, pace) : Route(scene.way, pace);
   }
 
   Eigen::Isometry3d pose(double time) const override
   {
-    const RoutePose base = route_.at(time);
     const double height = height_ + 0.001 * hum_(time);
     const double pitch = pitch_ + (0.12 * rattle_(time) + 0.3 * lean_(time)) * kDegree;
     const double roll = roll_ + 0.12 * hum_(time + 7.0) * kDegree;
-    return opticalPose({base.position.x(), base.position.y(), height}, base.yaw, pitch, roll);
+    return base(time) * opticalPose({0.0, 0.0, height}, 0.0, pitch, roll);
+  }
+
+  Eigen::Isometry3d base(double time) const override
+  {
+    const Waypoint place = route_.at(time);
+    return standingOnWheels(*scene_, place);
   }
 
 private:
+  const Scene* scene_;
   SmoothNoise hum_;
   SmoothNoise rattle_;
   SmoothNoise lean_;
@@ -115,7 +143,7 @@ public:
 
   Eigen::Isometry3d pose(double time) const override
   {
-    const RoutePose base = route_.at(time);
+    const Waypoint base = route_.at(time);
     const double steps = step_rate_ * time;
     const double sideways = std::sin(kPi * steps);
     // A blow at the start of each step, alternating in side, that rings off within a fifth of a second.
@@ -157,7 +185,7 @@ public:
 
   Eigen::Isometry3d pose(double time) const override
   {
-    const RoutePose base = route_.at(time);
+    const Waypoint base = route_.at(time);
     const double height = heights_.low + (heights_.high - heights_.low) * 0.5 * (1.0 + lift_(time));
     return opticalPose({base.position.x(), base.position.y(), height}, base.yaw,
                        kMaxPitch * 0.5 * (1.0 + nod_(time)), kMaxRoll * tilt_(time));
@@ -184,7 +212,7 @@ public:
   {
     Random random(seed_, static_cast<std::uint64_t>(std::llround(30.0 * time)));
     const auto [area, heights] = chooseArea(*scene_, random, band_);
-    const RoutePose place = drawPose(spaceFor(heights), area, random);
+    const Waypoint place = drawPose(spaceFor(heights), area, random);
     return opticalPose({place.position.x(), place.position.y(), random.uniform(heights.low, heights.high)},
                        place.yaw, random.uniform(0.0, kMaxPitch), random.uniform(-kMaxRoll, kMaxRoll));
   }
@@ -204,6 +232,14 @@ private:
 };
 
 }  // namespace
+
+Eigen::Isometry3d Trajectory::base(double time) const
+{
+  const Eigen::Isometry3d camera = pose(time);
+  const Eigen::Vector3d forward = camera.linear().col(2);
+  return Eigen::Translation3d(camera.translation().x(), camera.translation().y(), 0.0) *
+         Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Eigen::Vector3d::UnitZ());
+}
 
 Eigen::Isometry3d opticalPose(const Eigen::Vector3d& position, double yaw, double pitch, double roll)
 {

@@ -127,14 +127,10 @@ PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const 
 }
 
 std::vector<geometry_msgs::TransformStamped> toTransforms(const Eigen::Isometry3d& camera_to_world,
+                                                          const Eigen::Isometry3d& base_to_world,
                                                           const ros::Time& stamp, const std::string& world,
                                                           const std::string& base, const std::string& body)
 {
-  const Eigen::Vector3d forward = camera_to_world.linear().col(2);
-  const Eigen::Vector3d place = camera_to_world.translation();
-  const Eigen::Isometry3d base_to_world =
-      Eigen::Translation3d(place.x(), place.y(), 0.0) *
-      Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Eigen::Vector3d::UnitZ());
   const Eigen::Isometry3d body_to_world = camera_to_world * opticalInBody().inverse();
   return {toTransform(base_to_world, stamp, world, base),
           toTransform(base_to_world.inverse() * body_to_world, stamp, base, body)};

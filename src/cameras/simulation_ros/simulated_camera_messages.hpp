@@ -32,9 +32,10 @@ FloorPlane toFloor(const simulation::SimulatedFrame& frame, const std_msgs::Head
 /// The extent is empty: the truth is no view, and this message does not say where obstacles were looked for.
 PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const std_msgs::Header& header);
 
-/// The world -> base and base -> camera transforms of a camera pose: the base stands under the camera, its x
-/// axis where the camera looks along the floor. The camera's body frame has x forward, y left, z up.
+/// The world -> base and base -> camera transforms of a camera's and a robot's pose. The camera's body frame has x
+/// forward, y left, z up.
 std::vector<geometry_msgs::TransformStamped> toTransforms(const Eigen::Isometry3d& camera_to_world,
+                                                          const Eigen::Isometry3d& base_to_world,
                                                           const ros::Time& stamp, const std::string& world,
                                                           const std::string& base, const std::string& body);
 

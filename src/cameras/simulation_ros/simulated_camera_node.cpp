@@ -71,7 +71,7 @@ void SimulatedCameraNode::Implementation::tick()
   const auto index =
       static_cast<std::uint32_t>(std::lround((stamp - start_).toSec() * camera_.options().rate));
   if (parameters_->publish_tf) {
-    tf_.sendTransform(toTransforms(camera_.pose(index), stamp, parameters_->world_frame,
+    tf_.sendTransform(toTransforms(camera_.pose(index), camera_.base(index), stamp, parameters_->world_frame,
                                    parameters_->base_frame, parameters_->camera_frame));
   }
   if (frameIsRead()) {

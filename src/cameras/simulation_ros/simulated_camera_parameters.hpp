@@ -19,9 +19,15 @@ inline std::string listed(const std::vector<std::string>& names)
   return list;
 }
 
+inline std::vector<std::string> scenesAndCourses()
+{
+  std::vector<std::string> names = simulation::sceneNames();
+  names.insert(names.end(), simulation::courseNames().begin(), simulation::courseNames().end());
+  return names;
+}
 inline bool isScene(const std::string& text)
 {
-  const auto& names = simulation::sceneNames();
+  const auto names = scenesAndCourses();
   return std::find(names.begin(), names.end(), text) != names.end();
 }
 inline bool isTrajectory(const std::string& text)
@@ -61,7 +67,7 @@ struct SimulatedCameraParameters
     using parameters::TextRule;
     const TextRule name{"a name", isName};
     visit("camera", self.camera, name, "Namespace of the camera's topics.");
-    static const std::string scenes = listed(simulation::sceneNames());
+    static const std::string scenes = listed(scenesAndCourses());
     static const std::string trajectories = listed(simulation::trajectoryNames());
     visit("scene", self.scene, TextRule{scenes.c_str(), isScene}, "Where the camera looks.");
     visit("trajectory", self.trajectory, TextRule{trajectories.c_str(), isTrajectory}, "How it moves.");

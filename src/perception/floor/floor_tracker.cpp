@@ -37,7 +37,8 @@ FloorPrior FloorTracker::prior(double stamp, const FloorHints& hints) const
   prior.level = hints.level;
   if (hints.mount) {
     const FloorMountParameters& mount = parameters_.mount;
-    const double slack = mount.search_sigmas * mount.mount_height_sigma;
+    const double slack =
+        (mount.has_slopes ? mount.disagreement_sigmas : mount.search_sigmas) * mount.mount_height_sigma;
     prior.up = hints.mount->normal;
     prior.up_is_measured = true;
     prior.tilt_sigma = mount.tilt_about_mount;

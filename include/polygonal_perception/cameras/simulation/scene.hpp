@@ -8,6 +8,7 @@
 #include "polygonal_perception/cameras/simulation/person.hpp"
 #include "polygonal_perception/cameras/simulation/solid.hpp"
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/geometry/plane.hpp"
 
 namespace polygonal_perception::simulation {
 
@@ -23,6 +24,20 @@ struct ViewArea
   double max_camera_height = 1.5;                       ///< [m]
 };
 
+/// A place on a robot's way.
+struct Waypoint
+{
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+  double yaw = 0.0;                                    ///< [rad]
+};
+
+/// A piece of ground that is no part of the floor: a ramp, or what it leads to.
+struct Ground
+{
+  Outline outline;        ///< as seen from above
+  geometry::Plane plane;  ///< in the world frame, its normal upwards
+};
+
 /// A world to look at: x and y along the robot's floor, z = 0 on it, z up.
 struct POLYGONAL_PERCEPTION_EXPORT Scene
 {
@@ -31,6 +46,11 @@ struct POLYGONAL_PERCEPTION_EXPORT Scene
   std::vector<Walker> walkers;       ///< people who walk
   std::vector<Outline> floor;        ///< where the robot's floor is; convex pieces
   std::vector<ViewArea> view_areas;  ///< at least one
+  std::vector<Ground> grounds;       ///< on which a robot can drive beside the floor
+  std::vector<Waypoint> way;         ///< of a robot that drives through a course; empty in the other scenes
+
+  /// The height [m] of the ground at a place: 0 unless it is one of `grounds`.
+  double groundHeight(const Eigen::Vector2d& place) const;
 
   /// The people as they are at a time [s]. Each call gives the same triangles with moved vertices.
   void walkersAt(double time, std::vector<Solid>& people) const;
@@ -45,7 +65,11 @@ struct POLYGONAL_PERCEPTION_EXPORT Scene
 /// is raised by 3 to 28 cm and fills much of the view).
 POLYGONAL_PERCEPTION_EXPORT const std::vector<std::string>& sceneNames();
 
-/// Lays a scene out. Another seed moves, swaps and resizes everything in it.
+/// Scenes with a way that a robot drives, over more than the floor. ramps: along a wall, through a door, up a ramp,
+/// down another, up a kerb ramp and up to a wall, and back.
+POLYGONAL_PERCEPTION_EXPORT const std::vector<std::string>& courseNames();
+
+/// Lays a scene or a course out. Another seed moves, swaps and resizes everything in it.
 /// @throws std::invalid_argument when there is no scene of that name
 POLYGONAL_PERCEPTION_EXPORT Scene makeScene(const std::string& name, std::uint64_t seed);
 

@@ -22,10 +22,12 @@ struct SimulatedFrame
   std::uint32_t index = 0;
   double time = 0.0;                                                  ///< [s] since the start
   Eigen::Isometry3d camera_to_world = Eigen::Isometry3d::Identity();  ///< from the optical frame
-  geometry::Plane floor;                                              ///< in the optical frame
-  double floor_fraction = 0.0;                                        ///< of all pixels: floor with a return
-  std::vector<float> depth;                                           ///< [m] with noise; NaN = no return
-  RayImage truth;                                                     ///< the same without noise
+  Eigen::Isometry3d base_to_world = Eigen::Isometry3d::Identity();    ///< see Trajectory::base
+  geometry::Plane floor;  ///< that the robot stands on, in the optical frame
+  /// Of all pixels: floor with a return; while the robot is not on the floor, the other ground of the course.
+  double floor_fraction = 0.0;
+  std::vector<float> depth;  ///< [m] with noise; NaN = no return
+  RayImage truth;            ///< the same without noise
 };
 
 /// A depth camera that moves through a scene: everything that is rendered in this package comes from here.
@@ -53,6 +55,8 @@ public:
 
   /// Where the camera is at time index / rate, from its optical frame into the world.
   Eigen::Isometry3d pose(std::uint32_t index) const { return trajectory_->pose(index / options_.rate); }
+  /// Where the robot is then; see Trajectory::base.
+  Eigen::Isometry3d base(std::uint32_t index) const { return trajectory_->base(index / options_.rate); }
 
   /// Renders the frame at time index / rate, the same whenever and in whichever order it is asked for.
   /// @param frame  its memory is used again

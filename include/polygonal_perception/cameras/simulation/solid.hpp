@@ -16,7 +16,8 @@ enum class Surface : std::uint8_t
   kNone = 0,        ///< nothing
   kFloor = 1,       ///< the floor that the robot stands on, z = 0 in the world frame
   kLowerFloor = 2,  ///< what lies below it: steps, a lower storey
-  kObstacle = 3     ///< everything else, walls included
+  kObstacle = 3,    ///< everything else, walls included
+  kGround = 4       ///< what a robot can drive up to from the floor: ramps and what they lead to
 };
 
 /// A convex polygon on the floor [m], counter-clockwise seen from above.

@@ -18,6 +18,9 @@ public:
   virtual ~Trajectory() = default;
   /// From the optical frame into the world at a time >= 0 [s].
   virtual Eigen::Isometry3d pose(double time) const = 0;
+  /// From the robot's frame (x ahead, z up, its origin under the camera, z = 0 the ground that it stands on) into the
+  /// world. Level on the floor unless the trajectory knows better.
+  virtual Eigen::Isometry3d base(double time) const;
 };
 
 /// The pose of an optical frame (x right, y down, z forward).
@@ -29,7 +32,8 @@ POLYGONAL_PERCEPTION_EXPORT Eigen::Isometry3d opticalPose(const Eigen::Vector3d&
                                                           double pitch, double roll);
 
 /// The kinds of trajectories:
-/// - robotino: a wheeled robot drives about, camera 0.6..1.0 m up, slight vibration;
+/// - robotino: a wheeled robot drives about, camera 0.6..1.0 m up, slight vibration; in a course along its way, as
+/// tilted as the ground under its wheels;
 /// - nao: a humanoid walks, camera about 0.5 m up, sways, nods and shakes at each heel strike;
 /// - smooth_lowest, smooth_low, smooth_high: hand-held, height 0.2..0.5, 0.4..0.7 or 0.7..1.5 m, pitch 0..45
 /// deg, roll +-15 deg, all changing smoothly;
