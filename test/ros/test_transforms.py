@@ -102,6 +102,29 @@ class TransformsTest(unittest.TestCase):
         self.assertEqual(answer['floor'].header.frame_id, 'static_camera')
         self.check_placed(answer, 5.0, 6.0, 1.0)
 
+    def test_a_driver_that_turns_to_another_frame_and_its_axes(self):
+        """First the optical frame, then the body's with x ahead: what was ahead in the one is up in the other."""
+        self.send_pose(self.clock.tick(), 0, 0, 0)
+        stamp = self.clock.tick()
+        self.send_pose(self.clock.tick(), 0, 0, 0)
+        self.client.send(self.cloud(stamp))
+        self.check_placed(self.client.answer(stamp), 0, 0, 0)
+
+        to_body = np.array([[0, 0, 1], [-1, 0, 0], [0, -1, 0]], np.float32)
+        before, stamp, after = self.clock.tick(), self.clock.tick(), self.clock.tick()
+        for when in (before, after):
+            message = scene.transform('odom', 'body_camera', (0, 0, self.camera.height),
+                                      self.camera.rotation @ to_body.T)
+            message.header.stamp = when
+            self.tf.publish(TFMessage([message]))
+        cloud = self.cloud(stamp)
+        cloud.header.frame_id = 'body_camera'
+        points = np.frombuffer(cloud.data, np.float32).reshape(-1, 4).copy()
+        points[:, :3] = points[:, :3] @ to_body.T
+        cloud.data = points.tobytes()
+        self.client.send(cloud)
+        self.check_placed(self.client.answer(stamp), 0, 0, 0)
+
     def test_a_frame_waits_for_a_late_transform(self):
         self.send_pose(self.clock.tick(), 0, 0, 0)
         stamp = self.clock.tick()

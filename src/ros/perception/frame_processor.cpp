@@ -71,6 +71,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   // Only now: a frame that is refused changes nothing, whatever its stamp.
   if (header.stamp < last_stamp_) resetTime("the frame's stamp is before the last one");
   last_stamp_ = header.stamp;
+  followFrame(header.frame_id);
   const FrameTransforms transforms =
       lookUpTransforms(parameters_, tf_.get(), header, pipeline_.needsSeed(header.stamp.toSec()));
   if (may_wait && !transforms.missing().empty()) return false;
@@ -123,6 +124,17 @@ std::string FrameProcessor::frameError(const std::string& frame_id) const
     return "header.frame_id is '" + frame_id + "', which is floor_frame; accepted is any other frame";
   }
   return {};
+}
+
+void FrameProcessor::followFrame(const std::string& frame_id)
+{
+  if (frame_id == input_frame_) return;
+  if (!input_frame_.empty()) {
+    log_.warn("frame_id", "header.frame_id has changed from '" + shortened(input_frame_) + "' to '" +
+                              shortened(frame_id) + "': starting anew");
+    resetFloor();
+  }
+  input_frame_ = frame_id;
 }
 
 OutputPose FrameProcessor::outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const

@@ -75,6 +75,8 @@ public:
 
 private:
   bool processUnguarded(const InputFrame& frame, bool may_wait);
+  /// The floor, and what is ahead, are those of a frame: in another they mean nothing.
+  void followFrame(const std::string& frame_id);
   std::string frameError(const std::string& frame_id) const;
   perception::Products neededProducts(const FrameTransforms& transforms) const;
   void runPipeline(const std_msgs::Header& header, const perception::PointView& points,
@@ -92,6 +94,7 @@ private:
   DepthInput depth_input_;
   std::unique_ptr<ros_common::TfBridge> tf_;  // only where a parameter names a frame
   tf2_ros::TransformBroadcaster broadcaster_;
+  std::string input_frame_;  // of the last frame
   ros::Time last_stamp_;
   ros::Time last_broadcast_;
 };
