@@ -4,6 +4,7 @@ import math
 import sys
 import unittest
 
+import dynamic_reconfigure.client
 import numpy as np
 import rospy
 import rostest
@@ -93,6 +94,20 @@ class MountTest(unittest.TestCase):
         self.assertEqual(len([l for l in self.client.logs if 'tilted by' in l.msg]), 1, 'warnings')
         status = self.client.wait_for_diagnostics(lambda s: 'tilted by 3.0 degrees' in s.message, 'the tilt')
         self.assertEqual(status.level, DiagnosticStatus.WARN)
+
+    def test_where_ground_may_slope_a_tilt_that_lasts_is_said(self):
+        tilted = scene.Camera(height=0.8, pitch=0.1 + math.radians(5.0))
+        reconfigure = dynamic_reconfigure.client.Client('/polygonal_perception', timeout=10)
+        reconfigure.update_configuration({'max_slope': 0.2})
+        try:
+            for _ in range(25):
+                self.assertEqual(self.see(tilted, dt=1.0)['floor'].status, ASSUMED)
+            self.assertEqual([log.msg for log in self.client.logs if 'it is a ramp' in log.msg], [])
+            for _ in range(8):
+                self.see(tilted, dt=1.0)
+            self.client.wait_for_log('for 30 s', 'tilted by 5.0 degrees', 'it is a ramp, or the camera has tilted')
+        finally:
+            reconfigure.update_configuration({'max_slope': 0.0})
 
     def test_a_camera_that_stands_as_tf_says_is_no_news(self):
         for _ in range(30):

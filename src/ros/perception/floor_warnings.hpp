@@ -28,6 +28,7 @@ private:
   ros_common::ThrottledLog& log_;
   ros_common::LastingCondition missing_{ros::Duration(5.0)};
   ros_common::LastingCondition elsewhere_{ros::Duration(5.0)};
+  ros_common::LastingCondition tilted_{ros::Duration(30.0)};  // robots wait before ramps
   ros_common::LastingCondition disagrees_{ros::Duration(2.0)};
 };
 
