@@ -35,10 +35,10 @@ def header_of(message):
 
 
 class NodeClient:
-    """Talks to the node /polygonal_perception, whose inputs are under /camera/depth. It runs already, or is not awaited."""
+    """Talks to a node whose inputs are under a camera's namespace. It runs already, or is not awaited."""
 
     def __init__(self, outputs=('floor', 'occupancy_grid', 'inflated_grid', 'polygons'), node='/polygonal_perception',
-                 depth=False, image='image_rect', runs=True):
+                 depth=False, image='image_rect', runs=True, camera='/camera/depth'):
         self.node = node
         self.condition = threading.Condition()
         self.readers, self.listeners = {}, {}
@@ -51,11 +51,11 @@ class NodeClient:
             '/diagnostics': rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics),
         }
         if depth:
-            self.image = rospy.Publisher('/camera/depth/' + image, Image, queue_size=10)
-            self.info = rospy.Publisher('/camera/depth/camera_info', CameraInfo, queue_size=10)
+            self.image = rospy.Publisher(camera + '/' + image, Image, queue_size=10)
+            self.info = rospy.Publisher(camera + '/camera_info', CameraInfo, queue_size=10)
             self.publishers = [self.image, self.info]
         else:
-            self.cloud = rospy.Publisher('/camera/depth/points', PointCloud2, queue_size=10)
+            self.cloud = rospy.Publisher(camera + '/points', PointCloud2, queue_size=10)
             self.publishers = [self.cloud]
         for name in outputs:
             self.read(name)

@@ -33,7 +33,8 @@ FrameProcessor::FrameProcessor(const PerceptionParameters& parameters, const std
       log_(log),
       pipeline_(parameters.pipeline),
       warnings_(log),
-      depth_input_(info_topic)
+      depth_input_(info_topic),
+      floor_frame_guard_(parameters.floor_frame)
 {
   if (parameters.needsTf()) tf_ = std::make_unique<ros_common::TfBridge>();
 }
@@ -68,6 +69,9 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     reject("input", error);
     return true;
   }
+  // What would be placed in another camera's floor frame is not published at all.
+  const bool owns_floor_frame = ownsFloorFrame(header.frame_id);
+  if (!owns_floor_frame && !parameters_.hasOutputFrame()) return true;
   // Only now: a frame that is refused changes nothing, whatever its stamp.
   if (header.stamp < last_stamp_) resetTime("the frame's stamp is before the last one");
   last_stamp_ = header.stamp;
@@ -81,7 +85,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
                    header.stamp);
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
-  broadcast(header);
+  if (owns_floor_frame) broadcast(header);
   FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters().inflation.robot_radius, {}};
   if (transforms.missing_output.empty()) result.output = outputPose(transforms.input_to_output);
   outputs_.publish(result);
@@ -150,6 +154,14 @@ OutputPose FrameProcessor::outputPose(const std::optional<Eigen::Isometry3d>& in
   return {parameters_.output_frame, poseInOutputFrame(*input_to_output, input_to_floor)};
 }
 
+bool FrameProcessor::ownsFloorFrame(const std::string& frame_id)
+{
+  if (!parameters_.publish_tf) return true;
+  const std::string conflict = floor_frame_guard_.conflict(frame_id, FloorFrameGuard::Clock::now());
+  if (!conflict.empty()) reject("floor_frame", conflict);
+  return conflict.empty();
+}
+
 void FrameProcessor::broadcast(const std_msgs::Header& header)
 {
   const perception::Pipeline::Result& result = pipeline_.result();
@@ -157,6 +169,7 @@ void FrameProcessor::broadcast(const std_msgs::Header& header)
   // tf2 complains of a transform that comes twice.
   if (header.stamp == last_broadcast_) return;
   last_broadcast_ = header.stamp;
+  floor_frame_guard_.broadcast(header.frame_id);
   broadcaster_.sendTransform(toTransform(header, parameters_.floor_frame, result.to_floor_frame));
 }
 

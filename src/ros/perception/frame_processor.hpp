@@ -16,6 +16,7 @@
 #include "polygonal_perception/ros/common/throttled_log.hpp"
 #include "ros/perception/camera_attitude.hpp"
 #include "ros/perception/depth_input.hpp"
+#include "ros/perception/floor_frame_guard.hpp"
 #include "ros/perception/floor_warnings.hpp"
 #include "ros/perception/frame_transforms.hpp"
 #include "ros/perception/outputs.hpp"
@@ -44,6 +45,8 @@ public:
                  ros_common::ThrottledLog& log);
 
   void setCameraInfo(const sensor_msgs::CameraInfoConstPtr& info) { depth_input_.setCameraInfo(info); }
+
+  FloorFrameGuard& floorFrameGuard() { return floor_frame_guard_; }
 
   /// Answers a frame or says why not. Never throws.
   /// @param may_wait  whether the frame may come again a little later, when its transforms have arrived
@@ -82,6 +85,8 @@ private:
   void runPipeline(const std_msgs::Header& header, const perception::PointView& points,
                    const FrameTransforms& transforms);
   OutputPose outputPose(const std::optional<Eigen::Isometry3d>& input_to_output) const;
+  /// Whether the floor frame is this camera's; says so where it is not.
+  bool ownsFloorFrame(const std::string& frame_id);
   void broadcast(const std_msgs::Header& header);
   void reject(const char* kind, const std::string& reason);
 
@@ -92,6 +97,7 @@ private:
   perception::Pipeline pipeline_;
   FloorWarnings warnings_;
   DepthInput depth_input_;
+  FloorFrameGuard floor_frame_guard_;
   std::unique_ptr<ros_common::TfBridge> tf_;  // only where a parameter names a frame
   tf2_ros::TransformBroadcaster broadcaster_;
   std::string input_frame_;  // of the last frame

@@ -36,6 +36,7 @@ private:
 
   void makeMembers();
   void addInputs();
+  void watchFloorFrame();
   void advertiseReset();
   ros_common::InputTopics::Unsubscribed followReaders();
   ros_common::InputTopics::Unsubscribed retrySubscription();
@@ -52,6 +53,8 @@ private:
   std::deque<WaitingFrame> waiting_;
   ros::Time last_now_;
   std::string said_other_type_;  // of the input, in the log
+  ros::Subscriber tf_;           // of others who broadcast the floor frame
+  ros::Subscriber static_tf_;
   ros::ServiceServer reset_;
   ros::WallTimer waiting_timer_;
   std::unique_ptr<ros_common::DiagnosticsReporter> diagnostics_;
@@ -78,6 +81,7 @@ void PerceptionNode::Implementation::makeMembers()
     processor_->configure(parameters.pipeline);
   });
   addInputs();
+  if (core_.parameters->publish_tf) watchFloorFrame();
   advertiseReset();
   constexpr bool kOneShot = false;
   constexpr bool kStarted = false;
@@ -115,6 +119,22 @@ void PerceptionNode::Implementation::addInputs()
         core_.statistics.interrupt();
       },
       [this] { dropWaiting(); });
+}
+
+void PerceptionNode::Implementation::watchFloorFrame()
+{
+  const auto subscribe = [this](const std::string& topic, bool is_static) {
+    constexpr std::uint32_t kQueue = 100;
+    using Event = ros::MessageEvent<const tf2_msgs::TFMessage>;
+    const boost::function<void(const Event&)> see =
+        ros_common::gated(core_.gate, [this, is_static](const Event& event) {
+          processor_->floorFrameGuard().see(*event.getConstMessage(), event.getPublisherName(), is_static,
+                                            FloorFrameGuard::Clock::now());
+        });
+    return core_.handle.subscribe<tf2_msgs::TFMessage>(topic, kQueue, see);
+  };
+  tf_ = subscribe("/tf", false);
+  static_tf_ = subscribe("/tf_static", true);
 }
 
 void PerceptionNode::Implementation::advertiseReset()

@@ -56,7 +56,8 @@ struct PerceptionParameters
     visit("depth_unit", self.depth_unit, Range{1e-5, 0.1}, "m",
           "What a number in a 16UC1 depth image means.");
     visit("floor_frame", self.floor_frame, ros_common::kFrame,
-          "Child frame of the input's: on the floor under the camera, x ahead, z up.");
+          "Child frame of the input's: on the floor under the camera, x ahead, z up. Each camera needs its "
+          "own.");
     visit("output_frame", self.output_frame, ros_common::kFrameOrEmpty,
           "Frame of grids and polygons; empty: the floor frame. x, y and yaw come from tf, the rest from the "
           "floor.");
