@@ -109,14 +109,20 @@ int measure()
   // What is given only where somebody reads it.
   Subject cloud_planes(Input::kCloud16, {Product::kPolygons, Product::kPlanes});
   Subject depth_planes(Input::kDepthMillimetres, {Product::kPolygons, Product::kPlanes});
+  Subject cloud_observed(Input::kCloud16, {Product::kPolygons, Product::kObserved});
+  Subject depth_observed(Input::kDepthMillimetres, {Product::kPolygons, Product::kObserved});
   std::vector<double> cloud_passes;
   std::vector<double> depth_passes;
+  std::vector<double> cloud_observed_passes;
+  std::vector<double> depth_observed_passes;
   volatile std::uint64_t sum = 0;
 
   for (int run = 0; run < kRuns; ++run) {
     Run reads;
     Run clouds;
     Run depths;
+    Run clouds_observed;
+    Run depths_observed;
     for (int turn = 0; turn < kTurns; ++turn) {
       for (std::size_t k = 0; k < frames.size(); ++k) {
         const std::vector<float>& bytes = frames[k]->cloud16();
@@ -125,16 +131,24 @@ int measure()
         depths.add(k, depth(*frames[k]));
         cloud_planes(*frames[k]);
         depth_planes(*frames[k]);
+        clouds_observed.add(k, cloud_observed(*frames[k]));
+        depths_observed.add(k, depth_observed(*frames[k]));
       }
     }
+    cloud_observed_passes.push_back((clouds_observed.total() - clouds.total()) / reads.total());
+    depth_observed_passes.push_back((depths_observed.total() - depths.total()) / reads.total());
     cloud_passes.push_back(clouds.total() / reads.total());
     depth_passes.push_back(depths.total() / reads.total());
     std::printf("run %d: a read pass %.1f us, cloud %.1f us (%.2f), depth %.1f us (%.2f)\n", run + 1,
                 reads.total() / kFrames, clouds.total() / kFrames, cloud_passes.back(),
                 depths.total() / kFrames, depth_passes.back());
   }
-  for (const Subject* subject : {&cloud, &depth, &cloud_planes, &depth_planes}) subject->printStages();
-  std::printf("read passes: cloud %.2f, depth %.2f\n", median(cloud_passes), median(depth_passes));
+  for (const Subject* subject :
+       {&cloud, &depth, &cloud_planes, &depth_planes, &cloud_observed, &depth_observed})
+    subject->printStages();
+  std::printf("read passes: cloud %.2f, depth %.2f; what was observed: cloud %.2f more, depth %.2f more\n",
+              median(cloud_passes), median(depth_passes), median(cloud_observed_passes),
+              median(depth_observed_passes));
   return EXIT_SUCCESS;
 }
 

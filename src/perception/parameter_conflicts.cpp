@@ -12,13 +12,14 @@ constexpr double kMostCells = 4e6;
 
 std::optional<ParameterFault> findTooManyCells(const GridParameters& grid)
 {
-  const double cells = grid.grid_length / grid.grid_resolution * (grid.grid_width / grid.grid_resolution);
+  const double cells =
+      (grid.grid_length + grid.grid_behind) / grid.grid_resolution * (grid.grid_width / grid.grid_resolution);
   if (cells <= kMostCells) return std::nullopt;
-  return ParameterFault{{"grid_length", "grid_width", "grid_resolution"},
-                        "grid_length " + numberText(grid.grid_length) + " and grid_width " +
-                            numberText(grid.grid_width) + " at grid_resolution " +
-                            numberText(grid.grid_resolution) + " make " + numberText(cells) +
-                            " cells, accepted are at most " + numberText(kMostCells)};
+  return ParameterFault{{"grid_length", "grid_behind", "grid_width", "grid_resolution"},
+                        "grid_length " + numberText(grid.grid_length) + ", grid_behind " +
+                            numberText(grid.grid_behind) + " and grid_width " + numberText(grid.grid_width) +
+                            " at grid_resolution " + numberText(grid.grid_resolution) + " make " +
+                            numberText(cells) + " cells, accepted are at most " + numberText(kMostCells)};
 }
 
 }  // namespace

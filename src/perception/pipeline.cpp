@@ -69,7 +69,8 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
   HeightRules rules{&noise, nullptr};
   if (ground_planes_.isActive()) run(Product::kGround, &Times::ground, [&] { rules.ground = mapGround(); });
   run(Product::kOccupancy, &Times::projection, [&] {
-    projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules);
+    ObservedCells* const observed = r.products.has(Product::kObserved) ? &r.observed : nullptr;
+    projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules, observed);
     drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy, rules.ground);
   });
   run(Product::kObstaclePoints, &Times::obstacle_points, [&] {
@@ -90,6 +91,7 @@ void Pipeline::clearResult(Products products)
   result_.labels.clear();
   result_.planes.clear();
   result_.occupancy.reset(geometry);
+  result_.observed.clear();
   result_.obstacle_points.clear();
   result_.inflated.reset(geometry);
   result_.polygons.clear();

@@ -46,6 +46,13 @@ void requireSound(const perception::Pipeline::Result& result,
   for (std::size_t k = 0; k < occupied.size(); ++k) {
     require(occupied[k] <= inflated[k], "an occupied cell is inflated");
   }
+  const perception::ObservedCells& observed = result.observed;
+  require(observed.floor.size() == observed.hit.size(), "what is observed has one size");
+  if (result.floor.status != perception::FloorStatus::kNotFound &&
+      result.products.has(perception::Product::kObserved))
+    require(observed.floor.size() == occupied.size(), "and it is the grid's");
+  for (std::size_t k = 0; k < observed.hit.size(); ++k)
+    require(observed.hit[k] == 0 || occupied[k] != 0, "where something was hit the cell is occupied");
   for (const geometry::PolygonSet::Ring& ring : result.polygons.rings) {
     require(ring.size >= 3, "a ring has three vertices");
     require(ring.first + ring.size <= result.polygons.vertices.size(), "a ring has its vertices");

@@ -12,11 +12,12 @@ TEST(Products, BringAllThatTheyAreMadeOf)
        {Product::kPolygons, Product::kInflation, Product::kOccupancy, Product::kGround, Product::kFloor}) {
     EXPECT_TRUE(polygons.has(part)) << "product " << static_cast<int>(part);
   }
-  for (const Product other :
-       {Product::kObstaclePoints, Product::kFloorHull, Product::kSampleLabels, Product::kPlanes}) {
+  for (const Product other : {Product::kObserved, Product::kObstaclePoints, Product::kFloorHull,
+                              Product::kSampleLabels, Product::kPlanes}) {
     EXPECT_FALSE(polygons.has(other)) << "product " << static_cast<int>(other);
   }
   EXPECT_TRUE(Products(Product::kFloorHull).has(Product::kSampleLabels));
+  EXPECT_TRUE(Products(Product::kObserved).has(Product::kOccupancy));
 }
 
 TEST(Products, AreSets)

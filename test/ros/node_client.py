@@ -19,6 +19,7 @@ OUTPUTS = {
     'floor_coefficients': ModelCoefficients,
     'planes': PlaneArray,
     'occupancy_grid': OccupancyGrid,
+    'observed_grid': OccupancyGrid,
     'inflated_grid': OccupancyGrid,
     'polygons': PolygonArray,
     'markers': MarkerArray,

@@ -83,7 +83,21 @@ class AnswersTest(unittest.TestCase):
         self.assertFalse((cells & ~may).any(), 'occupied cells without an obstacle: %s' % np.argwhere(cells & ~may))
         expected = scene.inflate(cells, 0.05, RADIUS)
         np.testing.assert_array_equal(np.array(inflated.data, np.int8).reshape(100, 100) == 100, expected)
+        self.check_observed(points, cells, answer)
         return cells
+
+    def check_observed(self, points, occupied, answer):
+        observed = np.array(answer['observed_grid'].data, np.int8).reshape(100, 100)
+        np.testing.assert_array_equal(observed == 100, occupied)
+        self.assertEqual(answer['observed_grid'].info, answer['occupancy_grid'].info)
+        must, may = scene.occupied_cells(points, answer['observed_grid'].info, -MIN_HEIGHT, MIN_HEIGHT, self.margin + 0.005)
+        free = observed == 0
+        self.assertFalse((must & ~occupied & ~free).any(), 'floor that was seen and is not free')
+        # Between two that were seen.
+        beside = scene.inflate(may, 1.0, 1.5)
+        self.assertFalse((free & ~beside).any(), 'free cells where no floor was seen')
+        self.assertGreater(np.count_nonzero(free), 500)
+        self.assertGreater(np.count_nonzero(observed == -1), 500, 'beside the view and behind obstacles')
 
     def check_polygons(self, occupied, answer):
         message = answer['polygons']

@@ -47,7 +47,7 @@ class FloorStatesTest(unittest.TestCase):
         self.assertEqual(answer['polygons'].extent.points, [], 'nothing is known anywhere')
         self.assertGreater(answer['polygons'].inflation_radius, 0.0)
         self.assertEqual(answer['polygons'].header.frame_id, 'floor')
-        for name in ('occupancy_grid', 'inflated_grid'):
+        for name in ('occupancy_grid', 'observed_grid', 'inflated_grid'):
             grid = answer[name]
             self.assertEqual(set(grid.data), {-1})
             self.assertEqual((grid.info.width, grid.info.height, len(grid.data)), (100, 100, 10000))

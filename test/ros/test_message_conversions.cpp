@@ -129,6 +129,23 @@ TEST(MessageConversions, AGridIsPlacedByItsOrigin)
   EXPECT_EQ(unknown->info.origin, message->info.origin);
 }
 
+TEST(MessageConversions, WhatIsOccupiedComesBeforeWhatWasSeenFree)
+{
+  perception::GridParameters size;
+  size.grid_length = 0.4;
+  size.grid_width = 0.1;
+  size.grid_resolution = 0.1;
+  perception::BinaryGrid grid{perception::GridGeometry(size)};
+  grid.set(1, 0);
+  grid.set(2, 0);
+  perception::ObservedCells observed;
+  observed.floor = {1, 1, 0, 0};
+  observed.hit = {0, 1, 1, 0};
+  const auto message = toObservedGrid(header(), grid, observed, quarterTurn());
+  EXPECT_EQ(message->data, (std::vector<std::int8_t>{0, 100, 100, -1}));
+  EXPECT_EQ(message->info, toOccupancyGrid(header(), grid, quarterTurn())->info);
+}
+
 TEST(MessageConversions, ObstaclePointsKeepTheirHeight)
 {
   const auto cloud = toObstaclePoints(header(), {{1.0F, 0.0F, 0.25F}, {0.0F, 1.0F, 0.5F}}, quarterTurn());

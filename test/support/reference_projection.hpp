@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -30,15 +32,34 @@ public:
     row_offset_ = static_cast<float>((to_floor_frame.translation().y() - geometry.origin_y) * scale);
     lowest_ = static_cast<float>(parameters.min_height - to_floor_frame.translation().z());
     highest_ = static_cast<float>(parameters.max_height - to_floor_frame.translation().z());
+    const double below = parameters.min_height + std::abs(parameters.min_height);
+    lowest_floor_ = lowest_ - static_cast<float>(below);
+    const double height = parameters.max_height - parameters.min_height;
+    slabs_per_metre_ = static_cast<float>(perception::ObservedCells::kSlabs / height);
   }
+
+  /// Where the point of a pixel lies.
+  struct Place
+  {
+    std::size_t cell = 0;  // its row-major index
+    int slab = 0;          // -1: it is of the floor
+  };
 
   /// The row-major index of the cell in which the point of a pixel stands.
   std::optional<std::size_t> cell(const perception::PointView& points, std::uint32_t u, std::uint32_t v) const
   {
+    const std::optional<Place> place = this->place(points, u, v);
+    if (!place || place->slab < 0) return std::nullopt;
+    return place->cell;
+  }
+
+  /// The same with the floor's points.
+  std::optional<Place> place(const perception::PointView& points, std::uint32_t u, std::uint32_t v) const
+  {
     if (points.layout() == perception::PointLayout::kCloud) {
       const Eigen::Vector3f p = points.point(u, v);
       if (!isWithin(points, dot(p, p))) return std::nullopt;
-      return cell(dot(height_, p), dot(column_, p) + column_offset_, dot(row_, p) + row_offset_);
+      return place(dot(height_, p), dot(column_, p) + column_offset_, dot(row_, p) + row_offset_);
     }
     const bool metres = points.layout() == perception::PointLayout::kDepthMetres;
     const float unit = points.unit();
@@ -53,7 +74,7 @@ public:
     const auto along = [&](const Eigen::Vector3f& a) {
       return z * (a.x() * column_slope + unit * (a.y() * row_slope + a.z()));
     };
-    return cell(along(height_), along(column_) + column_offset_, along(row_) + row_offset_);
+    return place(along(height_), along(column_) + column_offset_, along(row_) + row_offset_);
   }
 
   perception::BinaryGrid project(const perception::PointView& points) const
@@ -88,13 +109,16 @@ private:
     return value;
   }
 
-  std::optional<std::size_t> cell(float height, float column, float row) const
+  std::optional<Place> place(float height, float column, float row) const
   {
-    if (!(height >= lowest_ && height <= highest_)) return std::nullopt;
+    if (!(height >= lowest_floor_ && height <= highest_)) return std::nullopt;
     if (!(column >= 0.0F && column < static_cast<float>(geometry_.cells_x))) return std::nullopt;
     if (!(row >= 0.0F && row < static_cast<float>(geometry_.cells_y))) return std::nullopt;
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.cells_x) +
-           static_cast<std::size_t>(column);
+    const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(geometry_.cells_x) +
+                             static_cast<std::size_t>(column);
+    if (height < lowest_) return Place{cell, -1};
+    const auto slab = static_cast<int>((height - lowest_) * slabs_per_metre_);
+    return Place{cell, std::min(slab, perception::ObservedCells::kSlabs - 1)};
   }
 
   perception::GridGeometry geometry_;
@@ -102,6 +126,7 @@ private:
   Eigen::Vector3f height_, column_, row_;
   float column_offset_, row_offset_;
   float lowest_, highest_;
+  float lowest_floor_, slabs_per_metre_;
 };
 
 }  // namespace polygonal_perception::test

@@ -88,8 +88,9 @@ public:
     std::vector<SampleLabel> labels;  ///< of each sample; empty where nobody asked
     SegmentedPlanes planes;           ///< also where no floor was found
     std::vector<Eigen::Vector3f>
-        floor_hull;        ///< [m] in the input's frame; a held floor's is the one it was found with
-    BinaryGrid occupancy;  ///< free everywhere when NOT_FOUND or not asked for
+        floor_hull;          ///< [m] in the input's frame; a held floor's is the one it was found with
+    BinaryGrid occupancy;    ///< free everywhere when NOT_FOUND or not asked for
+    ObservedCells observed;  ///< in the grid's cells; empty when NOT_FOUND or not asked for
     std::vector<Eigen::Vector3f> obstacle_points;  ///< [m] in the floor frame
     BinaryGrid inflated;
     geometry::PolygonSet polygons;  ///< [m] in the floor frame

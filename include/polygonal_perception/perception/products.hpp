@@ -16,6 +16,7 @@ enum class Product : std::uint8_t
   kPlanes,          ///< all planes, with outlines and ids
   kGround,          ///< what heights count from beside the floor
   kOccupancy,       ///< the cells in which something stands
+  kObserved,        ///< where the floor was seen, and at which heights something stands
   kObstaclePoints,  ///< the points that stand in them
   kInflation,       ///< the cells within robot_radius of those
   kPolygons         ///< the obstacles as polygons
@@ -69,6 +70,7 @@ private:
       case Product::kPolygons:
         return Product::kInflation;
       case Product::kInflation:
+      case Product::kObserved:
         return Product::kOccupancy;
       case Product::kOccupancy:
       case Product::kObstaclePoints:
@@ -94,6 +96,7 @@ private:
         return false;
       case Product::kGround:
       case Product::kOccupancy:
+      case Product::kObserved:
       case Product::kObstaclePoints:
       case Product::kInflation:
       case Product::kPolygons:

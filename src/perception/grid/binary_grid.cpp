@@ -13,12 +13,18 @@ int cellsToCover(double length, double resolution)
   return std::max(1, static_cast<int>(std::ceil(length / resolution - kRounding)));
 }
 
+int cellsBehind(const GridParameters& parameters)
+{
+  return parameters.grid_behind > 0.0 ? cellsToCover(parameters.grid_behind, parameters.grid_resolution) : 0;
+}
+
 }  // namespace
 
 GridGeometry::GridGeometry(const GridParameters& parameters)
-    : cells_x(cellsToCover(parameters.grid_length, parameters.grid_resolution)),
+    : cells_x(cellsBehind(parameters) + cellsToCover(parameters.grid_length, parameters.grid_resolution)),
       cells_y(cellsToCover(parameters.grid_width, parameters.grid_resolution)),
       resolution(parameters.grid_resolution),
+      origin_x(-cellsBehind(parameters) * parameters.grid_resolution),
       origin_y(-0.5 * cells_y * parameters.grid_resolution)
 {
 }

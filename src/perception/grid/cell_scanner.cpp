@@ -80,21 +80,29 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform,
 CellScanner::Row CellScanner::row(std::uint32_t v)
 {
   const std::uint32_t count = points_.layout() == PointLayout::kCloud ? cloudRow(v) : depthRow(v);
-  if (points_.leavesOut() || rule_ != nullptr) dropOthers(v, count);
+  if (points_.leavesOut() || rule_ != nullptr) applyRule(v, count);
   return {blocks_.data(), blocks_.data() + count};
 }
 
-/// Takes out what the kernel does not know of: points in ignored boxes, and those that do not stand by the rule. It leaves
-/// few points of a frame over.
-void CellScanner::dropOthers(std::uint32_t v, std::uint32_t count)
+/// Takes out the points in ignored boxes, and moves the others to the layer that they have by the rule. The kernel leaves
+/// few points of a frame over, but for those of the floor where they are asked for.
+void CellScanner::applyRule(std::uint32_t v, std::uint32_t count)
 {
+  const auto size = static_cast<std::uint32_t>(transform_.layer_size);
   for (std::uint32_t k = 0; k < count; ++k) {
     CellBlock& block = blocks_[k];
     for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
-      if (block.cell[lane] == 0) continue;
+      std::uint32_t& cell = block.cell[lane];
+      if (cell == 0) continue;
       const Eigen::Vector3f point = points_.point(column(block, lane), v);  // NaN in an ignored box
-      const bool stands = point.allFinite() && (rule_ == nullptr || rule_->holds(point));
-      if (!stands) block.cell[lane] = 0;
+      if (!point.allFinite()) {
+        cell = 0;
+      } else if (rule_ != nullptr) {
+        const int layer = rule_->layer(point);
+        const std::uint32_t place = size > 0 ? (cell - 1) % size : cell - 1;
+        const bool counts = layer > 0 || (layer == 0 && size > 0);
+        cell = counts ? 1 + static_cast<std::uint32_t>(layer) * size + place : 0;
+      }
     }
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,27 +12,39 @@
 
 namespace polygonal_perception::perception {
 
-/// Which of the points that the kernel leaves over stand on the ground.
+/// In which layer the points lie that the kernel leaves over: it has decided on their height above the floor, but does not
+/// know of the ground and of noise.
 struct StandingRule
 {
   Eigen::Isometry3f to_floor_frame = Eigen::Isometry3f::Identity();
-  const GroundMap* ground = nullptr;  // null: the kernel's bounds have decided on the height
+  const GroundMap* ground = nullptr;  // null: the floor
   float min_height = 0.0F;            // [m] above the ground
   float max_height = 0.0F;
   const HeightNoise* noise = nullptr;
   float sigmas = 0.0F;
 
+  float slabs_per_metre = 0.0F;
+  float last_slab = 0.0F;
+
+  static constexpr int kNone = -1;
+
   /// @param point  in the input's frame
-  bool holds(const Eigen::Vector3f& point) const
+  /// @return its layer (see CellTransform), or kNone
+  int layer(const Eigen::Vector3f& point) const
   {
     const Eigen::Vector3f on_floor = to_floor_frame * point;
-    float height = on_floor.z();
-    if (ground != nullptr) {
-      const GroundMap::Span span = ground->at(on_floor.x(), on_floor.y());
-      if (!(height - span.lower >= min_height && height - span.higher <= max_height)) return false;
-      height -= span.lower;
+    GroundMap::Span span{0.0F, 0.0F};
+    if (ground != nullptr) span = ground->at(on_floor.x(), on_floor.y());
+    const float height = on_floor.z() - span.lower;
+    if (height < min_height) {
+      // Where nobody knows whether a ramp goes on, nobody has seen the ground either.
+      const bool is_on_ground = height > -min_height && std::abs(on_floor.z() - span.higher) < min_height;
+      return is_on_ground ? 0 : kNone;
     }
-    return noise == nullptr || height > sigmas * noise->sigma(point);
+    const bool stands = on_floor.z() - span.higher <= max_height &&
+                        (noise == nullptr || height > sigmas * noise->sigma(point));
+    return stands ? 1 + static_cast<int>(std::min((height - min_height) * slabs_per_metre, last_slab))
+                  : kNone;
   }
 };
 
@@ -64,7 +78,7 @@ public:
   }
 
 private:
-  void dropOthers(std::uint32_t v, std::uint32_t count);
+  void applyRule(std::uint32_t v, std::uint32_t count);
   std::uint32_t cloudRow(std::uint32_t v);
   std::uint32_t depthRow(std::uint32_t v);
 

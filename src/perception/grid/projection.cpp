@@ -1,8 +1,10 @@
 #include "polygonal_perception/perception/grid/projection.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "perception/grid/cell_scanner.hpp"
+#include "perception/grid/floor_gaps.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -26,14 +28,39 @@ CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridG
   transform.row_offset = static_cast<float>((origin.y() - geometry.origin_y) * cells_per_metre);
   transform.lowest = static_cast<float>(parameters.min_height - origin.z());
   transform.highest = static_cast<float>(parameters.max_height - origin.z());
+  transform.standing = transform.lowest;
   transform.columns = static_cast<float>(geometry.cells_x);
   transform.rows = static_cast<float>(geometry.cells_y);
   return transform;
 }
 
+/// The floor's points, too, and the points that stand by slabs of their heights.
+void addLayers(const GridGeometry& geometry, const Projection::Parameters& parameters,
+               CellTransform& transform)
+{
+  const double height = parameters.max_height - parameters.min_height;
+  transform.lowest =
+      transform.standing - static_cast<float>(parameters.min_height + std::abs(parameters.min_height));
+  transform.slabs_per_metre = height > 0.0 ? static_cast<float>(ObservedCells::kSlabs / height) : 0.0F;
+  transform.last_slab = ObservedCells::kSlabs - 1;
+  transform.layer_size = static_cast<std::int32_t>(geometry.size());
+}
+
 /// Points that fall in one cell mostly come one after the other. Counting them in turns, here or there,
 /// spares each of them the wait for the last one's count to be written.
 constexpr std::size_t kTurns = 4;
+
+/// Counts what stands in each cell, whatever its layer, up to `enough`.
+void countPoints(const CellScanner::Row& row, std::size_t cells, int enough, std::uint8_t* counts)
+{
+  for (const CellBlock& block : row) {
+    for (const std::uint32_t cell : block.cell) {
+      if (cell <= cells) continue;  // none, or the floor
+      std::uint8_t& count = counts[(cell - 1) % cells];
+      count = static_cast<std::uint8_t>(count + (count < enough ? 1 : 0));
+    }
+  }
+}
 
 }  // namespace
 
@@ -44,7 +71,8 @@ struct Projection::Workspace
   CellScanner scanner;
   StandingRule rule;
   // The cells as the kernel numbers them: 0 takes what stands in none.
-  std::vector<std::uint8_t> marks;   // whether anything stands there
+  std::vector<std::uint8_t> marks;  // whether anything is there, by layer
+  FloorGaps gaps;
   std::vector<std::uint8_t> counts;  // how much, kTurns numbers a cell, none beyond min_points_per_cell
 };
 
@@ -60,10 +88,12 @@ Projection& Projection::operator=(Projection&& other) noexcept = default;
 Projection::~Projection() = default;
 
 void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy, const HeightRules& rules)
+                         BinaryGrid& occupancy, const HeightRules& rules, ObservedCells* observed)
 {
-  begin(points, to_floor_frame, occupancy.geometry(), rules);
-  if (parameters_.min_points_per_cell <= 1) {
+  begin(points, to_floor_frame, occupancy.geometry(), rules, observed != nullptr);
+  if (observed != nullptr) {
+    markLayers(points.height(), occupancy, *observed);
+  } else if (parameters_.min_points_per_cell <= 1) {
     markAny(points.height(), occupancy);
   } else {
     markMany(points.height(), occupancy);
@@ -71,9 +101,10 @@ void Projection::project(const PointView& points, const Eigen::Isometry3d& to_fl
 }
 
 void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                       const GridGeometry& geometry, const HeightRules& rules)
+                       const GridGeometry& geometry, const HeightRules& rules, bool with_floor)
 {
   CellTransform transform = cellTransform(to_floor_frame, geometry, parameters_);
+  if (with_floor) addLayers(geometry, parameters_, transform);
   if (rules.ground != nullptr) {
     transform.lowest += rules.ground->lowest();
     transform.highest += rules.ground->highest();
@@ -88,7 +119,9 @@ void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floo
                       static_cast<float>(parameters_.min_height),
                       static_cast<float>(parameters_.max_height),
                       asks_noise ? rules.noise : nullptr,
-                      static_cast<float>(parameters_.height_sigmas)};
+                      static_cast<float>(parameters_.height_sigmas),
+                      transform.slabs_per_metre,
+                      transform.last_slab};
   workspace_->scanner.begin(points, transform, &workspace_->rule);
 }
 
@@ -105,6 +138,39 @@ void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
     }
   }
   std::copy_n(marks + 1, cells, occupancy.row(0));
+}
+
+void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedCells& observed)
+{
+  constexpr std::size_t kLayers = 1 + ObservedCells::kSlabs;
+  const GridGeometry& geometry = occupancy.geometry();
+  const std::size_t cells = geometry.size();
+  const bool counts_points = parameters_.min_points_per_cell > 1;
+  workspace_->marks.assign(1 + kLayers * cells, 0);
+  workspace_->counts.assign(counts_points ? cells : 0, 0);
+  workspace_->gaps.begin(geometry);
+  std::uint8_t* const marks = workspace_->marks.data();
+  for (std::uint32_t v = 0; v < rows; ++v) {
+    const CellScanner::Row row = workspace_->scanner.row(v);
+    for (const CellBlock& block : row) {
+#pragma GCC unroll 8
+      for (const std::uint32_t cell : block.cell) marks[cell] = 1;
+    }
+    workspace_->gaps.fill(row, marks + 1);
+    if (counts_points) countPoints(row, cells, parameters_.min_points_per_cell, workspace_->counts.data());
+  }
+  observed.floor.assign(marks + 1, marks + 1 + cells);
+  observed.hit.assign(cells, 0);
+  for (std::size_t slab = 0; slab < ObservedCells::kSlabs; ++slab) {
+    const std::uint8_t* const layer = marks + 1 + (1 + slab) * cells;
+    for (std::size_t cell = 0; cell < cells; ++cell)
+      observed.hit[cell] = static_cast<std::uint8_t>(observed.hit[cell] | layer[cell] << slab);
+  }
+  std::uint8_t* const occupied = occupancy.row(0);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    if (counts_points && workspace_->counts[cell] < parameters_.min_points_per_cell) observed.hit[cell] = 0;
+    occupied[cell] = observed.hit[cell] != 0 ? 1 : 0;
+  }
 }
 
 void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
@@ -136,7 +202,7 @@ void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_fl
 {
   standing.clear();
   CellScanner& scanner = workspace_->scanner;
-  begin(points, to_floor_frame, geometry, rules);
+  begin(points, to_floor_frame, geometry, rules, false);
   const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
   for (std::uint32_t v = 0; v < points.height(); ++v) {
     for (const CellBlock& block : scanner.row(v)) {

@@ -15,6 +15,10 @@ namespace polygonal_perception::perception {
 /// A point stands in the cell (floor(column), floor(row)) when lowest <= height <= highest, 0 <= column <
 /// columns, 0 <= row < rows and nearest_squared <= x x + y y + z z <= farthest_squared. The height is taken from the origin of the input's frame, not from the floor.
 ///
+/// Its layer is 0, the floor's, below `standing`, and else
+///
+///     1 + min(last_slab, floor((height - standing) slabs_per_metre)).
+///
 /// All of this is done in single precision, from left to right, a product rounded before it is added: so
 /// every kernel on every machine finds the same cells.
 struct CellTransform
@@ -26,8 +30,10 @@ struct CellTransform
   Coefficients height;       ///< [m]
   Coefficients column, row;  ///< [cells]
   float column_offset, row_offset;
-  float lowest, highest;                    ///< [m]
-  float columns, rows;                      ///< size of the grid
+  float lowest, highest;  ///< [m]
+  float standing, slabs_per_metre, last_slab;
+  std::int32_t layer_size;  ///< by which the numbers of the cells of two layers differ; 0: one layer
+  float columns, rows;      ///< size of the grid
   float nearest_squared, farthest_squared;  ///< [m^2] of the ranges at which points lie
 };
 
@@ -55,8 +61,9 @@ constexpr std::uint32_t kBlock = 32;
 /// The cells in which the pixels of a block stand.
 struct alignas(64) CellBlock
 {
-  std::uint32_t cell[kBlock];  ///< for each lane 1 + its row-major index, or 0 for none
-  std::uint32_t first;         ///< the block's first pixel
+  /// For each lane 0 for none, or 1 + layer x layer_size + its row-major index.
+  std::uint32_t cell[kBlock];
+  std::uint32_t first;  ///< the block's first pixel
 };
 
 /// The inner loop of the package: in which cells do the points of a row of pixels stand? There is a kernel

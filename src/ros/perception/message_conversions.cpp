@@ -128,4 +128,22 @@ nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const
   return message;
 }
 
+nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
+                                          const perception::BinaryGrid& occupancy,
+                                          const perception::ObservedCells& observed,
+                                          const Eigen::Isometry2d& output_pose)
+{
+  constexpr std::int8_t kSeenFree = 0;
+  constexpr std::int8_t kOccupied = 100;
+  auto message = toUnknownGrid(header, occupancy.geometry(), output_pose);
+  for (std::size_t cell = 0; cell < message->data.size(); ++cell) {
+    if (occupancy.cells()[cell] != 0) {
+      message->data[cell] = kOccupied;
+    } else if (observed.floor[cell] != 0) {
+      message->data[cell] = kSeenFree;
+    }
+  }
+  return message;
+}
+
 }  // namespace polygonal_perception::ros_perception

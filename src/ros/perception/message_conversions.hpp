@@ -12,6 +12,7 @@
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/segmentation/segmented_planes.hpp"
 
 /// The results of a frame as messages. Every function makes a new message that nobody touches any more:
@@ -36,6 +37,14 @@ PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::Seg
 /// @param output_pose  of the floor frame in the output frame
 nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const perception::BinaryGrid& grid,
                                            const Eigen::Isometry2d& output_pose);
+
+/// Occupied cells are 100, those in which the floor itself was seen 0, the others -1.
+///
+/// @param occupancy, observed  of one frame
+nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
+                                          const perception::BinaryGrid& occupancy,
+                                          const perception::ObservedCells& observed,
+                                          const Eigen::Isometry2d& output_pose);
 
 /// The grid where there is no floor: every cell is unknown, -1.
 nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,

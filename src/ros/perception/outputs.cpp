@@ -59,6 +59,15 @@ nav_msgs::OccupancyGridPtr occupancyGrid(const FrameResult& frame)
   return toGrid(frame, Product::kOccupancy, frame.result.occupancy);
 }
 
+nav_msgs::OccupancyGridPtr observedGrid(const FrameResult& frame)
+{
+  if (!canTell(frame, Product::kObserved)) return nullptr;
+  const perception::Pipeline::Result& result = frame.result;
+  const Eigen::Isometry2d& pose = frame.output->pose;
+  return frame.hasFloor() ? toObservedGrid(frame.outputHeader(), result.occupancy, result.observed, pose)
+                          : toUnknownGrid(frame.outputHeader(), result.occupancy.geometry(), pose);
+}
+
 nav_msgs::OccupancyGridPtr inflatedGrid(const FrameResult& frame)
 {
   return toGrid(frame, Product::kInflation, frame.result.inflated);
@@ -109,6 +118,7 @@ void addOutputs(Outputs& outputs)
   outputs.add<pcl_msgs::ModelCoefficients>("floor_coefficients", Product::kFloor, floorCoefficients);
   outputs.add<PlaneArray>("planes", Product::kPlanes, planes);
   outputs.add<nav_msgs::OccupancyGrid>("occupancy_grid", Product::kOccupancy, occupancyGrid);
+  outputs.add<nav_msgs::OccupancyGrid>("observed_grid", Product::kObserved, observedGrid);
   outputs.add<nav_msgs::OccupancyGrid>("inflated_grid", Product::kInflation, inflatedGrid);
   outputs.add<PolygonArray>("polygons", Product::kPolygons, polygons);
   outputs.add<visualization_msgs::MarkerArray>("markers", Products{Product::kPolygons, Product::kFloorHull},

@@ -29,6 +29,15 @@ TEST(GridGeometry, APartOfACellTakesAWholeOne)
   EXPECT_DOUBLE_EQ(geometry.origin_y, -0.5);
 }
 
+TEST(GridGeometry, WhatIsBehindTheSensorIsAddedInWholeCells)
+{
+  const GridGeometry geometry{GridParameters{1.0, 1.0, 0.25, 0.6}};
+  EXPECT_EQ(geometry.cells_x, 7);
+  EXPECT_DOUBLE_EQ(geometry.origin_x, -0.75);
+  EXPECT_TRUE(geometry.bounds().isApprox(
+      Eigen::AlignedBox2d(Eigen::Vector2d(-0.75, -0.5), Eigen::Vector2d(1.0, 0.5))));
+}
+
 TEST(BinaryGrid, RowsRunAlongX)
 {
   BinaryGrid grid{GridGeometry{GridParameters{0.3, 0.2, 0.1}}};

@@ -62,6 +62,88 @@ TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
   EXPECT_GT(occupied, 30000U) << "too few cells to compare anything";
 }
 
+/// Whether any of a cell and its eight neighbours is set.
+bool isSetAround(const std::vector<std::uint8_t>& cells, const GridGeometry& geometry, std::size_t cell)
+{
+  const auto columns = static_cast<std::size_t>(geometry.cells_x);
+  const int i = static_cast<int>(cell % columns);
+  const int j = static_cast<int>(cell / columns);
+  for (int y = std::max(0, j - 1); y <= std::min(geometry.cells_y - 1, j + 1); ++y) {
+    for (int x = std::max(0, i - 1); x <= std::min(geometry.cells_x - 1, i + 1); ++x) {
+      if (cells[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] != 0) return true;
+    }
+  }
+  return false;
+}
+
+TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
+{
+  std::mt19937 random(16);
+  std::size_t floor_cells = 0;
+  std::size_t hits = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const test::RandomFrame frame(random);
+    const PointView view = frame.view();
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    BinaryGrid grid{GridGeometry(randomGrid(random))};
+    Projection::Parameters parameters;
+    parameters.min_height = std::uniform_real_distribution<>(-0.1, 0.3)(random);
+    parameters.max_height = parameters.min_height + std::uniform_real_distribution<>(0.1, 1.0)(random);
+    ObservedCells observed;
+    Projection(parameters, kernel()).project(view, to_floor, grid, {}, &observed);
+
+    const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
+    std::vector<std::uint8_t> floor(grid.geometry().size(), 0);
+    std::vector<std::uint8_t> hit(floor.size(), 0);
+    for (std::uint32_t v = 0; v < view.height(); ++v) {
+      for (std::uint32_t u = 0; u < view.width(); ++u) {
+        const auto place = reference.place(view, u, v);
+        if (!place) continue;
+        if (place->slab < 0) {
+          floor[place->cell] = 1;
+        } else {
+          hit[place->cell] =
+              static_cast<std::uint8_t>(hit[place->cell] | 1U << static_cast<unsigned>(place->slab));
+        }
+      }
+    }
+    ASSERT_EQ(observed.hit, hit) << "trial " << trial;
+    for (std::size_t cell = 0; cell < floor.size(); ++cell) {
+      ASSERT_EQ(grid.cells()[cell] != 0, hit[cell] != 0) << "trial " << trial << ", cell " << cell;
+      if (floor[cell] != 0) {
+        ASSERT_EQ(observed.floor[cell], 1) << "trial " << trial << ", cell " << cell;
+      } else if (observed.floor[cell] != 0) {
+        // Between two that were seen.
+        ASSERT_TRUE(isSetAround(floor, grid.geometry(), cell)) << "trial " << trial << ", cell " << cell;
+      }
+      floor_cells += floor[cell];
+      hits += hit[cell] != 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(floor_cells, 10000U);
+  EXPECT_GT(hits, 10000U);
+}
+
+TEST_P(EveryKernel, ACellWithTooFewPointsHasNoHits)
+{
+  std::mt19937 random(17);
+  for (int trial = 0; trial < 300; ++trial) {
+    const test::RandomFrame frame(random);
+    const Eigen::Isometry3d to_floor = randomTransform(random);
+    const GridGeometry geometry(randomGrid(random));
+    Projection::Parameters parameters;
+    parameters.min_points_per_cell = 3;
+    BinaryGrid plain(geometry);
+    BinaryGrid with_layers(geometry);
+    ObservedCells observed;
+    Projection(parameters, kernel()).project(frame.view(), to_floor, plain);
+    Projection(parameters, kernel()).project(frame.view(), to_floor, with_layers, {}, &observed);
+    ASSERT_EQ(with_layers.cells(), plain.cells()) << "trial " << trial;
+    for (std::size_t cell = 0; cell < geometry.size(); ++cell)
+      ASSERT_EQ(observed.hit[cell] != 0, plain.cells()[cell] != 0) << "trial " << trial;
+  }
+}
+
 TEST_P(EveryKernel, CollectsThePointsThatStandInTheGrid)
 {
   std::mt19937 random(7);

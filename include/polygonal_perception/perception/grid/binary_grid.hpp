@@ -17,6 +17,7 @@ struct GridParameters
   double grid_length = 5.0;       ///< [m] ahead of the camera
   double grid_width = 5.0;        ///< [m] across, centred on the camera
   double grid_resolution = 0.05;  ///< [m] side of a cell
+  double grid_behind = 0.0;       ///< [m] behind it, for sensors that look there
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& visit)
@@ -27,6 +28,8 @@ struct GridParameters
           "Width of the grid, centred on the camera.");
     visit("grid_resolution", self.grid_resolution, parameters::Range{0.005, 1.0}, "m",
           "Side of a grid cell.");
+    visit("grid_behind", self.grid_behind, parameters::Range{0.0, 50.0}, "m",
+          "How far behind the sensor the grid reaches.");
   }
 };
 
@@ -41,7 +44,7 @@ struct POLYGONAL_PERCEPTION_EXPORT GridGeometry
   double origin_y = 0.0;     ///< [m]
 
   GridGeometry() = default;
-  /// The fewest cells that cover length x width; a length that is a whole number of cells takes just that
+  /// The fewest cells that cover what is ahead, behind and at the sides; a length that is a whole number of cells takes just that
   /// many.
   explicit GridGeometry(const GridParameters& parameters);
 

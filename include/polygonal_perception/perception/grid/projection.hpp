@@ -9,6 +9,7 @@
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
+#include "polygonal_perception/perception/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
@@ -68,8 +69,11 @@ public:
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew
+  /// @param observed        null: not wanted. Its floor is where points less than min_height above the ground or below
+  ///                        it were seen, and between two that are neighbours in a column of the image and lie at most
+  ///                        three cells apart; its hits are in occupied cells.
   void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-               const HeightRules& rules = {});
+               const HeightRules& rules = {}, ObservedCells* observed = nullptr);
 
   /// Collects the points that stand in a grid, however few there are in a cell.
   /// @param geometry  of the grid
@@ -81,8 +85,9 @@ private:
   struct Workspace;
 
   void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-             const HeightRules& rules);
+             const HeightRules& rules, bool with_floor);
   void markAny(std::uint32_t rows, BinaryGrid& occupancy);
+  void markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedCells& observed);
   void markMany(std::uint32_t rows, BinaryGrid& occupancy);
 
   Parameters parameters_;

@@ -1,0 +1,65 @@
+#include "perception/grid/floor_gaps.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace polygonal_perception::perception {
+
+void FloorGaps::begin(const GridGeometry& geometry)
+{
+  size_ = static_cast<std::uint32_t>(geometry.size());
+  columns_ = geometry.cells_x;
+  before_.clear();
+}
+
+int FloorGaps::distance(std::uint32_t a, std::uint32_t b) const
+{
+  const int i = static_cast<int>(a - 1) % columns_ - static_cast<int>(b - 1) % columns_;
+  const int j = static_cast<int>(a - 1) / columns_ - static_cast<int>(b - 1) / columns_;
+  return std::max(std::abs(i), std::abs(j));
+}
+
+void FloorGaps::fill(const CellScanner::Row& row, std::uint8_t* floor)
+{
+  auto before = before_.begin();
+  for (const CellBlock& here : row) {
+    while (before != before_.end() && before->first < here.first) ++before;
+    if (before == before_.end()) break;
+    if (before->first == here.first) fillBlock(here, *before, floor);
+  }
+  before_.assign(row.begin(), row.end());
+}
+
+void FloorGaps::fillBlock(const CellBlock& here, const CellBlock& before, std::uint8_t* floor) const
+{
+  // Where cells are taller than the rows are apart, which is most of an image, a look at a few pixels tells.
+  constexpr std::uint32_t kLook = 8;
+  bool is_apart = false;
+  for (std::uint32_t lane = 0; lane < kBlock; lane += kLook) {
+    const std::uint32_t a = here.cell[lane];
+    const std::uint32_t b = before.cell[lane];
+    is_apart = is_apart || (a != b && isFloor(a) && isFloor(b) && distance(a, b) > 1);
+  }
+  if (!is_apart) return;
+  // Cells between two that are farther apart would not all lie beside one in which a point is.
+  constexpr int kFarthest = 3;
+  for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
+    const std::uint32_t a = here.cell[lane];
+    const std::uint32_t b = before.cell[lane];
+    if (a == b || !isFloor(a) || !isFloor(b)) continue;
+    const int steps = distance(a, b);
+    if (steps < 2 || steps > kFarthest) continue;
+    const int i = static_cast<int>(a - 1) % columns_;
+    const int j = static_cast<int>(a - 1) / columns_;
+    const int di = static_cast<int>(b - 1) % columns_ - i;
+    const int dj = static_cast<int>(b - 1) / columns_ - j;
+    for (int step = 1; step < steps; ++step) {
+      // Rounded to the nearer cell.
+      const int x = i + (2 * di * step + (di < 0 ? -steps : steps)) / (2 * steps);
+      const int y = j + (2 * dj * step + (dj < 0 ? -steps : steps)) / (2 * steps);
+      floor[y * columns_ + x] = 1;
+    }
+  }
+}
+
+}  // namespace polygonal_perception::perception
