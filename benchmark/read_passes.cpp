@@ -70,10 +70,11 @@ public:
     };
     std::printf(
         "%-12s samples %5.1f us, floor %5.1f us, projection %5.1f us, inflation %5.1f us, polygons %5.1f "
-        "us, planes %5.1f us\n",
+        "us, planes %5.1f us, looked through %5.1f us\n",
         nameOf(input_), stage(&perception::StageTimes::samples), stage(&perception::StageTimes::floor),
         stage(&perception::StageTimes::projection), stage(&perception::StageTimes::inflation),
-        stage(&perception::StageTimes::polygons), stage(&perception::StageTimes::planes));
+        stage(&perception::StageTimes::polygons), stage(&perception::StageTimes::planes),
+        stage(&perception::StageTimes::looked_through));
   }
 
 private:
@@ -110,11 +111,15 @@ int measure()
   Subject cloud_planes(Input::kCloud16, {Product::kPolygons, Product::kPlanes});
   Subject depth_planes(Input::kDepthMillimetres, {Product::kPolygons, Product::kPlanes});
   Subject cloud_observed(Input::kCloud16, {Product::kPolygons, Product::kObserved});
+  Subject cloud_cells(Input::kCloud16, {Product::kPolygons, Product::kLookedThrough});
+  Subject depth_cells(Input::kDepthMillimetres, {Product::kPolygons, Product::kLookedThrough});
   Subject depth_observed(Input::kDepthMillimetres, {Product::kPolygons, Product::kObserved});
   std::vector<double> cloud_passes;
   std::vector<double> depth_passes;
   std::vector<double> cloud_observed_passes;
   std::vector<double> depth_observed_passes;
+  std::vector<double> cloud_cells_passes;
+  std::vector<double> depth_cells_passes;
   volatile std::uint64_t sum = 0;
 
   for (int run = 0; run < kRuns; ++run) {
@@ -123,6 +128,8 @@ int measure()
     Run depths;
     Run clouds_observed;
     Run depths_observed;
+    Run clouds_cells;
+    Run depths_cells;
     for (int turn = 0; turn < kTurns; ++turn) {
       for (std::size_t k = 0; k < frames.size(); ++k) {
         const std::vector<float>& bytes = frames[k]->cloud16();
@@ -133,10 +140,14 @@ int measure()
         depth_planes(*frames[k]);
         clouds_observed.add(k, cloud_observed(*frames[k]));
         depths_observed.add(k, depth_observed(*frames[k]));
+        clouds_cells.add(k, cloud_cells(*frames[k]));
+        depths_cells.add(k, depth_cells(*frames[k]));
       }
     }
     cloud_observed_passes.push_back((clouds_observed.total() - clouds.total()) / reads.total());
     depth_observed_passes.push_back((depths_observed.total() - depths.total()) / reads.total());
+    cloud_cells_passes.push_back((clouds_cells.total() - clouds.total()) / reads.total());
+    depth_cells_passes.push_back((depths_cells.total() - depths.total()) / reads.total());
     cloud_passes.push_back(clouds.total() / reads.total());
     depth_passes.push_back(depths.total() / reads.total());
     std::printf("run %d: a read pass %.1f us, cloud %.1f us (%.2f), depth %.1f us (%.2f)\n", run + 1,
@@ -146,9 +157,12 @@ int measure()
   for (const Subject* subject :
        {&cloud, &depth, &cloud_planes, &depth_planes, &cloud_observed, &depth_observed})
     subject->printStages();
-  std::printf("read passes: cloud %.2f, depth %.2f; what was observed: cloud %.2f more, depth %.2f more\n",
-              median(cloud_passes), median(depth_passes), median(cloud_observed_passes),
-              median(depth_observed_passes));
+  std::printf(
+      "read passes: cloud %.2f, depth %.2f; more for the observed grid: cloud %.2f, depth %.2f; for the "
+      "observed "
+      "cells: cloud %.2f, depth %.2f\n",
+      median(cloud_passes), median(depth_passes), median(cloud_observed_passes),
+      median(depth_observed_passes), median(cloud_cells_passes), median(depth_cells_passes));
   return EXIT_SUCCESS;
 }
 

@@ -1,5 +1,6 @@
 #include "polygonal_perception/perception/pipeline.hpp"
 
+#include <Eigen/LU>
 #include <chrono>
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
@@ -16,6 +17,15 @@ FloorTracker::Parameters trackerParameters(const Pipeline::Parameters& parameter
   return tracker;
 }
 
+/// From directions in the input's frame to pixels: (u, v, 1) up to a positive factor. Nothing where nobody knows.
+std::optional<Eigen::Matrix3f> pixelsOfDirections(const PointView& points,
+                                                  const std::optional<Pinhole>& pinhole)
+{
+  if (points.layout() != PointLayout::kCloud) return points.rays()->pixelOfDirection();
+  if (!pinhole) return std::nullopt;
+  return pinhole->direction_of_pixel.inverse().cast<float>();
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const Parameters& parameters)
@@ -25,6 +35,7 @@ Pipeline::Pipeline(const Parameters& parameters)
       ground_planes_(parameters.ground),
       projection_(parameters.projection),
       drop_offs_(parameters.drop_offs),
+      look_through_(parameters.detector.planes.noise),
       inflation_(parameters.inflation),
       polygonizer_(parameters.polygonizer),
       result_(parameters.samples)
@@ -72,6 +83,11 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
     ObservedCells* const observed = r.products.has(Product::kObserved) ? &r.observed : nullptr;
     projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules, observed);
     drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy, rules.ground);
+  });
+  run(Product::kLookedThrough, &Times::looked_through, [&] {
+    const auto pixels = pixelsOfDirections(frame.points, pinhole_);
+    look_through_.look(frame.points, pixels, r.to_floor_frame,
+                       {r.occupancy.geometry(), parameters_.projection, rules.ground}, r.observed.free);
   });
   run(Product::kObstaclePoints, &Times::obstacle_points, [&] {
     projection_.collect(frame.points, r.to_floor_frame, r.occupancy.geometry(), r.obstacle_points, rules);
@@ -123,12 +139,12 @@ void Pipeline::findViewAxes(const Frame& frame)
   const Eigen::Vector3d& initial_up = parameters_.tracker.initial_up;
   const PointLayout layout = frame.points.layout();
   const bool may_try = layout == PointLayout::kCloud && result_.floor.status != FloorStatus::kNotFound;
-  if (may_try && !pixel_axes_ && pixel_axes_tries_ < kMostTries) {
-    ++pixel_axes_tries_;
-    pixel_axes_ = viewAxesOfPixels(result_.samples);
+  if (may_try && !pinhole_ && pinhole_tries_ < kMostTries) {
+    ++pinhole_tries_;
+    pinhole_ = fitPinhole(result_.samples);
   }
-  const bool is_read_off = layout == PointLayout::kCloud && pixel_axes_;
-  result_.view = is_read_off ? *pixel_axes_ : conventionalViewAxes(layout, initial_up);
+  const bool is_read_off = layout == PointLayout::kCloud && pinhole_;
+  result_.view = is_read_off ? viewAxesOf(*pinhole_) : conventionalViewAxes(layout, initial_up);
   const auto& forward = parameters_.view.forward;
   result_.heading = forward ? viewAxesAlong(*forward, initial_up) : result_.view;
 }
@@ -160,8 +176,8 @@ void Pipeline::reset()
 {
   tracker_.reset();
   segmentation_.reset();
-  pixel_axes_.reset();
-  pixel_axes_tries_ = 0;
+  pinhole_.reset();
+  pinhole_tries_ = 0;
   skip();
   result_.floor_hull.clear();
 }
@@ -175,6 +191,7 @@ void Pipeline::configure(const Parameters& parameters)
   ground_planes_ = GroundPlanes(parameters.ground);
   projection_ = Projection(parameters.projection);
   drop_offs_ = DropOffs(parameters.drop_offs);
+  look_through_ = LookThrough(parameters.detector.planes.noise);
   inflation_ = Inflation(parameters.inflation);
   polygonizer_ = Polygonizer(parameters.polygonizer);
 }

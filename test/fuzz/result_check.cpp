@@ -49,8 +49,9 @@ void requireSound(const perception::Pipeline::Result& result,
   const perception::ObservedCells& observed = result.observed;
   require(observed.floor.size() == observed.hit.size(), "what is observed has one size");
   if (result.floor.status != perception::FloorStatus::kNotFound &&
-      result.products.has(perception::Product::kObserved))
-    require(observed.floor.size() == occupied.size(), "and it is the grid's");
+      result.products.has(perception::Product::kLookedThrough))
+    require(observed.floor.size() == occupied.size() && observed.free.size() == occupied.size(),
+            "and it is the grid's");
   for (std::size_t k = 0; k < observed.hit.size(); ++k)
     require(observed.hit[k] == 0 || occupied[k] != 0, "where something was hit the cell is occupied");
   for (const geometry::PolygonSet::Ring& ring : result.polygons.rings) {

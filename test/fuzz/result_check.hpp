@@ -7,7 +7,7 @@ namespace polygonal_perception::test {
 /// All that a frame can be asked for.
 inline constexpr perception::Products kAllProducts{
     perception::Product::kPolygons, perception::Product::kPlanes, perception::Product::kFloorHull,
-    perception::Product::kObstaclePoints, perception::Product::kObserved};
+    perception::Product::kObstaclePoints, perception::Product::kLookedThrough};
 
 /// Ends the program, as the fuzzer wants it, when `holds` is false.
 void require(bool holds, const char* what);

@@ -17,6 +17,7 @@ TEST(Products, BringAllThatTheyAreMadeOf)
     EXPECT_FALSE(polygons.has(other)) << "product " << static_cast<int>(other);
   }
   EXPECT_TRUE(Products(Product::kFloorHull).has(Product::kSampleLabels));
+  EXPECT_TRUE(Products(Product::kLookedThrough).has(Product::kObserved));
   EXPECT_TRUE(Products(Product::kObserved).has(Product::kOccupancy));
 }
 

@@ -12,7 +12,7 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from polygonal_perception.msg import FloorPlane, PlaneArray, PolygonArray
+from polygonal_perception.msg import FloorPlane, ObservedCells, PlaneArray, PolygonArray
 
 OUTPUTS = {
     'floor': FloorPlane,
@@ -20,6 +20,7 @@ OUTPUTS = {
     'planes': PlaneArray,
     'occupancy_grid': OccupancyGrid,
     'observed_grid': OccupancyGrid,
+    'observed_cells': ObservedCells,
     'inflated_grid': OccupancyGrid,
     'polygons': PolygonArray,
     'markers': MarkerArray,

@@ -92,12 +92,26 @@ class AnswersTest(unittest.TestCase):
         self.assertEqual(answer['observed_grid'].info, answer['occupancy_grid'].info)
         must, may = scene.occupied_cells(points, answer['observed_grid'].info, -MIN_HEIGHT, MIN_HEIGHT, self.margin + 0.005)
         free = observed == 0
-        self.assertFalse((must & ~occupied & ~free).any(), 'floor that was seen and is not free')
+        # Near the camera not every row of the image is looked at: a corner of a cell may have been in the others.
+        missed = must & ~occupied & ~free
+        self.assertLess(np.count_nonzero(missed), 0.02 * np.count_nonzero(must), 'floor that was seen and is not free')
         # Between two that were seen.
         beside = scene.inflate(may, 1.0, 1.5)
         self.assertFalse((free & ~beside).any(), 'free cells where no floor was seen')
+        self.check_observed_cells(occupied, free, answer)
         self.assertGreater(np.count_nonzero(free), 500)
         self.assertGreater(np.count_nonzero(observed == -1), 500, 'beside the view and behind obstacles')
+
+    def check_observed_cells(self, occupied, free, answer):
+        cells = answer['observed_cells']
+        self.assertEqual((cells.floor_status, cells.info), (FOUND, answer['observed_grid'].info))
+        self.assertAlmostEqual(cells.slab_height, (MAX_HEIGHT - MIN_HEIGHT) / 8, places=6)
+        hit, through, floor = (np.frombuffer(bits, np.uint8).reshape(100, 100) for bits in (cells.hit, cells.free, cells.floor))
+        np.testing.assert_array_equal(hit != 0, occupied)
+        np.testing.assert_array_equal((floor != 0) & ~occupied, free)
+        # Above most of the floor that is seen the lowest slab was looked through, and behind what stands none.
+        self.assertGreater(np.count_nonzero(through[free] & 1), 0.5 * np.count_nonzero(free))
+        self.assertGreater(np.count_nonzero(through == 0), 500)
 
     def check_polygons(self, occupied, answer):
         message = answer['polygons']

@@ -52,6 +52,9 @@ class FloorStatesTest(unittest.TestCase):
             self.assertEqual(set(grid.data), {-1})
             self.assertEqual((grid.info.width, grid.info.height, len(grid.data)), (100, 100, 10000))
             self.assertAlmostEqual(grid.info.origin.position.y, -2.5)
+        cells = answer['observed_cells']
+        self.assertEqual(cells.floor_status, NOT_FOUND)
+        self.assertEqual([bytes(bits) for bits in (cells.hit, cells.free, cells.floor)], 3 * [bytes(10000)])
         self.assertEqual(answer['obstacle_points'].width, 0)
         # What fills the image is a plane all the same; how it lies nobody knows.
         self.assertEqual([p.kind for p in answer['planes'].planes], [Plane.UNKNOWN])

@@ -34,8 +34,7 @@ public:
     highest_ = static_cast<float>(parameters.max_height - to_floor_frame.translation().z());
     const double below = parameters.min_height + std::abs(parameters.min_height);
     lowest_floor_ = lowest_ - static_cast<float>(below);
-    const double height = parameters.max_height - parameters.min_height;
-    slabs_per_metre_ = static_cast<float>(perception::ObservedCells::kSlabs / height);
+    slabs_per_metre_ = static_cast<float>(1.0 / parameters.slabHeight());
   }
 
   /// Where the point of a pixel lies.

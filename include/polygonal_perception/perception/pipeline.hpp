@@ -14,6 +14,7 @@
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/drop_offs.hpp"
 #include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/perception/grid/look_through.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
@@ -140,10 +141,11 @@ private:
   GroundMap ground_map_;
   Projection projection_;
   DropOffs drop_offs_;
+  LookThrough look_through_;
   Inflation inflation_;
   Polygonizer polygonizer_;
-  std::optional<ViewAxes> pixel_axes_;  // of the first cloud whose pixels told them
-  int pixel_axes_tries_ = 0;
+  std::optional<Pinhole> pinhole_;  // of the first cloud whose pixels told it
+  int pinhole_tries_ = 0;
   Result result_;
 };
 

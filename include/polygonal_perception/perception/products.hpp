@@ -17,6 +17,7 @@ enum class Product : std::uint8_t
   kGround,          ///< what heights count from beside the floor
   kOccupancy,       ///< the cells in which something stands
   kObserved,        ///< where the floor was seen, and at which heights something stands
+  kLookedThrough,   ///< which heights of each cell the camera looked through
   kObstaclePoints,  ///< the points that stand in them
   kInflation,       ///< the cells within robot_radius of those
   kPolygons         ///< the obstacles as polygons
@@ -72,6 +73,8 @@ private:
       case Product::kInflation:
       case Product::kObserved:
         return Product::kOccupancy;
+      case Product::kLookedThrough:
+        return Product::kObserved;
       case Product::kOccupancy:
       case Product::kObstaclePoints:
         return Product::kGround;
@@ -97,6 +100,7 @@ private:
       case Product::kGround:
       case Product::kOccupancy:
       case Product::kObserved:
+      case Product::kLookedThrough:
       case Product::kObstaclePoints:
       case Product::kInflation:
       case Product::kPolygons:

@@ -84,6 +84,15 @@ CellScanner::Row CellScanner::row(std::uint32_t v)
   return {blocks_.data(), blocks_.data() + count};
 }
 
+CellScanner::Row CellScanner::rowAboveFloor(std::uint32_t v)
+{
+  const float lowest = transform_.lowest;
+  transform_.lowest = transform_.standing;
+  const Row above = row(v);
+  transform_.lowest = lowest;
+  return above;
+}
+
 /// Takes out the points in ignored boxes, and moves the others to the layer that they have by the rule. The kernel leaves
 /// few points of a frame over, but for those of the floor where they are asked for.
 void CellScanner::applyRule(std::uint32_t v, std::uint32_t count)

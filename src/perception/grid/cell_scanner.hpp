@@ -70,6 +70,8 @@ public:
 
   /// The cells of row v; they stand until the next call.
   Row row(std::uint32_t v);
+  /// The same without the floor's.
+  Row rowAboveFloor(std::uint32_t v);
 
   /// The column of the pixel that a lane of a block holds.
   std::uint32_t column(const CellBlock& block, std::uint32_t lane) const

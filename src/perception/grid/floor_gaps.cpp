@@ -10,6 +10,9 @@ void FloorGaps::begin(const GridGeometry& geometry)
   size_ = static_cast<std::uint32_t>(geometry.size());
   columns_ = geometry.cells_x;
   before_.clear();
+  row_before_ = 0;
+  rows_alike_ = 0;
+  cells_per_row_ = 1.0F;
 }
 
 int FloorGaps::distance(std::uint32_t a, std::uint32_t b) const
@@ -19,18 +22,35 @@ int FloorGaps::distance(std::uint32_t a, std::uint32_t b) const
   return std::max(std::abs(i), std::abs(j));
 }
 
-void FloorGaps::fill(const CellScanner::Row& row, std::uint8_t* floor)
+void FloorGaps::fill(std::uint32_t v, const CellScanner::Row& row, std::uint8_t* floor)
 {
+  // With less than this to a row the next few are left out. An average, since rows that run along the grid's come into
+  // another cell all at once.
+  constexpr float kCellsPerRow = 0.1F;
+  constexpr float kNewest = 0.25F;
+  constexpr std::uint32_t kLeftOut = 3;
+  compared_ = 0;
+  moved_ = 0;
+  const std::uint32_t rows = v - row_before_;
   auto before = before_.begin();
   for (const CellBlock& here : row) {
     while (before != before_.end() && before->first < here.first) ++before;
     if (before == before_.end()) break;
-    if (before->first == here.first) fillBlock(here, *before, floor);
+    if (before->first == here.first && rows <= 1 + kLeftOut)
+      fillBlock(here, *before, rows == 1 ? floor : nullptr);
   }
+  if (compared_ > 0) {
+    const float moved = static_cast<float>(moved_) / static_cast<float>(rows * compared_);
+    cells_per_row_ += kNewest * (moved - cells_per_row_);
+  } else {
+    cells_per_row_ = 1.0F;
+  }
+  rows_alike_ = cells_per_row_ < kCellsPerRow ? kLeftOut : 0;
   before_.assign(row.begin(), row.end());
+  row_before_ = v;
 }
 
-void FloorGaps::fillBlock(const CellBlock& here, const CellBlock& before, std::uint8_t* floor) const
+void FloorGaps::fillBlock(const CellBlock& here, const CellBlock& before, std::uint8_t* floor)
 {
   // Where cells are taller than the rows are apart, which is most of an image, a look at a few pixels tells.
   constexpr std::uint32_t kLook = 8;
@@ -38,9 +58,13 @@ void FloorGaps::fillBlock(const CellBlock& here, const CellBlock& before, std::u
   for (std::uint32_t lane = 0; lane < kBlock; lane += kLook) {
     const std::uint32_t a = here.cell[lane];
     const std::uint32_t b = before.cell[lane];
-    is_apart = is_apart || (a != b && isFloor(a) && isFloor(b) && distance(a, b) > 1);
+    if (!isFloor(a) || !isFloor(b)) continue;
+    ++compared_;
+    if (a == b) continue;
+    ++moved_;
+    is_apart = is_apart || distance(a, b) > 1;
   }
-  if (!is_apart) return;
+  if (!is_apart || floor == nullptr) return;
   // Cells between two that are farther apart would not all lie beside one in which a point is.
   constexpr int kFarthest = 3;
   for (std::uint32_t lane = 0; lane < kBlock; ++lane) {

@@ -38,10 +38,10 @@ CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridG
 void addLayers(const GridGeometry& geometry, const Projection::Parameters& parameters,
                CellTransform& transform)
 {
-  const double height = parameters.max_height - parameters.min_height;
+  const double height = parameters.slabHeight();
   transform.lowest =
       transform.standing - static_cast<float>(parameters.min_height + std::abs(parameters.min_height));
-  transform.slabs_per_metre = height > 0.0 ? static_cast<float>(ObservedCells::kSlabs / height) : 0.0F;
+  transform.slabs_per_metre = height > 0.0 ? static_cast<float>(1.0 / height) : 0.0F;
   transform.last_slab = ObservedCells::kSlabs - 1;
   transform.layer_size = static_cast<std::int32_t>(geometry.size());
 }
@@ -150,13 +150,19 @@ void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedC
   workspace_->counts.assign(counts_points ? cells : 0, 0);
   workspace_->gaps.begin(geometry);
   std::uint8_t* const marks = workspace_->marks.data();
+  std::uint32_t next_floor = 0;  // the next row in which the floor is looked for
   for (std::uint32_t v = 0; v < rows; ++v) {
-    const CellScanner::Row row = workspace_->scanner.row(v);
+    const bool has_floor = v >= next_floor;
+    const CellScanner::Row row =
+        has_floor ? workspace_->scanner.row(v) : workspace_->scanner.rowAboveFloor(v);
     for (const CellBlock& block : row) {
 #pragma GCC unroll 8
       for (const std::uint32_t cell : block.cell) marks[cell] = 1;
     }
-    workspace_->gaps.fill(row, marks + 1);
+    if (has_floor) {
+      workspace_->gaps.fill(v, row, marks + 1);
+      next_floor = v + 1 + workspace_->gaps.rowsAlike();
+    }
     if (counts_points) countPoints(row, cells, parameters_.min_points_per_cell, workspace_->counts.data());
   }
   observed.floor.assign(marks + 1, marks + 1 + cells);

@@ -86,7 +86,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
   if (owns_floor_frame) broadcast(header);
-  FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters().inflation.robot_radius, {}};
+  FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters(), {}};
   if (transforms.missing_output.empty()) result.output = outputPose(transforms.input_to_output);
   outputs_.publish(result);
   if (transforms.missing().empty()) {

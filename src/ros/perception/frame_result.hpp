@@ -25,7 +25,7 @@ struct FrameResult
   const std_msgs::Header& input;
   const perception::PointView& points;
   const perception::Pipeline::Result& result;
-  double robot_radius = 0.0;  ///< [m] by which obstacles are inflated
+  const perception::Pipeline::Parameters& parameters;  ///< that the frame was looked at with
   /// Nothing: unknown, and what lies in the output frame is left out.
   std::optional<OutputPose> output;
 

@@ -96,6 +96,23 @@ PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::Seg
   return message;
 }
 
+nav_msgs::MapMetaData toMetaData(const ros::Time& stamp, const perception::GridGeometry& geometry,
+                                 const Eigen::Isometry2d& output_pose)
+{
+  nav_msgs::MapMetaData info;
+  info.map_load_time = stamp;
+  info.resolution = static_cast<float>(geometry.resolution);
+  info.width = static_cast<std::uint32_t>(geometry.cells_x);
+  info.height = static_cast<std::uint32_t>(geometry.cells_y);
+  const Eigen::Vector2d origin = output_pose * Eigen::Vector2d(geometry.origin_x, geometry.origin_y);
+  info.origin.position.x = origin.x();
+  info.origin.position.y = origin.y();
+  const double yaw = Eigen::Rotation2Dd(output_pose.linear()).angle();
+  info.origin.orientation.z = std::sin(yaw / 2.0);
+  info.origin.orientation.w = std::cos(yaw / 2.0);
+  return info;
+}
+
 nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
                                          const perception::GridGeometry& geometry,
                                          const Eigen::Isometry2d& output_pose)
@@ -103,16 +120,7 @@ nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
   constexpr std::int8_t kUnknown = -1;
   auto message = boost::make_shared<nav_msgs::OccupancyGrid>();
   message->header = header;
-  message->info.map_load_time = header.stamp;
-  message->info.resolution = static_cast<float>(geometry.resolution);
-  message->info.width = static_cast<std::uint32_t>(geometry.cells_x);
-  message->info.height = static_cast<std::uint32_t>(geometry.cells_y);
-  const Eigen::Vector2d origin = output_pose * Eigen::Vector2d(geometry.origin_x, geometry.origin_y);
-  message->info.origin.position.x = origin.x();
-  message->info.origin.position.y = origin.y();
-  const double yaw = Eigen::Rotation2Dd(output_pose.linear()).angle();
-  message->info.origin.orientation.z = std::sin(yaw / 2.0);
-  message->info.origin.orientation.w = std::cos(yaw / 2.0);
+  message->info = toMetaData(header.stamp, geometry, output_pose);
   message->data.assign(geometry.size(), kUnknown);
   return message;
 }
@@ -143,6 +151,23 @@ nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
       message->data[cell] = kSeenFree;
     }
   }
+  return message;
+}
+
+ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perception::FloorState& floor,
+                                 const perception::GridGeometry& geometry,
+                                 const perception::ObservedCells& observed, double slab_height,
+                                 const Eigen::Isometry2d& output_pose)
+{
+  auto message = boost::make_shared<ObservedCells>();
+  message->header = header;
+  message->floor_status = static_cast<std::uint8_t>(floor.status);
+  message->info = toMetaData(header.stamp, geometry, output_pose);
+  message->slab_height = static_cast<float>(slab_height);
+  message->hit = observed.hit;
+  message->free = observed.free;
+  message->floor = observed.floor;
+  for (auto* cells : {&message->hit, &message->free, &message->floor}) cells->resize(geometry.size(), 0);
   return message;
 }
 

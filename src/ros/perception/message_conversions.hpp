@@ -3,6 +3,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <pcl_msgs/ModelCoefficients.h>
 #include <polygonal_perception/FloorPlane.h>
+#include <polygonal_perception/ObservedCells.h>
 #include <polygonal_perception/PlaneArray.h>
 #include <std_msgs/Header.h>
 
@@ -45,6 +46,15 @@ nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
                                           const perception::BinaryGrid& occupancy,
                                           const perception::ObservedCells& observed,
                                           const Eigen::Isometry2d& output_pose);
+
+/// What is observed, by height; all 0 without a floor.
+///
+/// @param geometry     of the grid, also where nothing is observed
+/// @param slab_height  [m]
+ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perception::FloorState& floor,
+                                 const perception::GridGeometry& geometry,
+                                 const perception::ObservedCells& observed, double slab_height,
+                                 const Eigen::Isometry2d& output_pose);
 
 /// The grid where there is no floor: every cell is unknown, -1.
 nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,

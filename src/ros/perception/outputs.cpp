@@ -68,6 +68,14 @@ nav_msgs::OccupancyGridPtr observedGrid(const FrameResult& frame)
                           : toUnknownGrid(frame.outputHeader(), result.occupancy.geometry(), pose);
 }
 
+ObservedCellsPtr observedCells(const FrameResult& frame)
+{
+  if (!canTell(frame, Product::kLookedThrough)) return nullptr;
+  const perception::Pipeline::Result& result = frame.result;
+  return toObservedCells(frame.outputHeader(), result.floor, result.occupancy.geometry(), result.observed,
+                         frame.parameters.projection.slabHeight(), frame.output->pose);
+}
+
 nav_msgs::OccupancyGridPtr inflatedGrid(const FrameResult& frame)
 {
   return toGrid(frame, Product::kInflation, frame.result.inflated);
@@ -76,9 +84,9 @@ nav_msgs::OccupancyGridPtr inflatedGrid(const FrameResult& frame)
 PolygonArrayPtr polygons(const FrameResult& frame)
 {
   if (!canTell(frame, Product::kPolygons)) return nullptr;
-  const ros_common::PolygonContext context{frame.outputHeader(),
-                                           static_cast<std::uint8_t>(frame.result.floor.status),
-                                           frame.robot_radius, frame.result.occupancy.geometry().bounds()};
+  const ros_common::PolygonContext context{
+      frame.outputHeader(), static_cast<std::uint8_t>(frame.result.floor.status),
+      frame.parameters.inflation.robot_radius, frame.result.occupancy.geometry().bounds()};
   return ros_common::toPolygonArray(context, frame.result.polygons, frame.output->pose);
 }
 
@@ -119,6 +127,7 @@ void addOutputs(Outputs& outputs)
   outputs.add<PlaneArray>("planes", Product::kPlanes, planes);
   outputs.add<nav_msgs::OccupancyGrid>("occupancy_grid", Product::kOccupancy, occupancyGrid);
   outputs.add<nav_msgs::OccupancyGrid>("observed_grid", Product::kObserved, observedGrid);
+  outputs.add<ObservedCells>("observed_cells", Product::kLookedThrough, observedCells);
   outputs.add<nav_msgs::OccupancyGrid>("inflated_grid", Product::kInflation, inflatedGrid);
   outputs.add<PolygonArray>("polygons", Product::kPolygons, polygons);
   outputs.add<visualization_msgs::MarkerArray>("markers", Products{Product::kPolygons, Product::kFloorHull},

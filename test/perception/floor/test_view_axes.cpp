@@ -47,7 +47,9 @@ public:
     strides.row_step = kWidth * strides.point_step;
     SampleGrid samples{SampleGrid::Parameters{}};
     samples.update(PointView::cloud(points_.data(), kWidth, 48, strides));
-    return viewAxesOfPixels(samples);
+    const std::optional<Pinhole> pinhole = fitPinhole(samples);
+    if (!pinhole) return std::nullopt;
+    return viewAxesOf(*pinhole);
   }
 
 private:
@@ -137,7 +139,7 @@ TEST(ViewAxes, AreNotReadOffWhatIsNoPinhole)
   strides.row_step = 256 * strides.point_step;
   SampleGrid samples{SampleGrid::Parameters{}};
   samples.update(PointView::cloud(points.data(), 256, 32, strides));
-  EXPECT_FALSE(viewAxesOfPixels(samples));
+  EXPECT_FALSE(fitPinhole(samples));
 }
 
 TEST(ViewAxes, ByConventionAreThoseOfAnOpticalFrameUnlessZIsUp)

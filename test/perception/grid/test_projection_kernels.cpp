@@ -80,6 +80,7 @@ TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
 {
   std::mt19937 random(16);
   std::size_t floor_cells = 0;
+  std::size_t left_out = 0;  // of rows that were taken to show the same cells as the one before
   std::size_t hits = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const test::RandomFrame frame(random);
@@ -111,7 +112,8 @@ TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
     for (std::size_t cell = 0; cell < floor.size(); ++cell) {
       ASSERT_EQ(grid.cells()[cell] != 0, hit[cell] != 0) << "trial " << trial << ", cell " << cell;
       if (floor[cell] != 0) {
-        ASSERT_EQ(observed.floor[cell], 1) << "trial " << trial << ", cell " << cell;
+        ASSERT_TRUE(observed.floor[cell] == 1 || view.height() > 2) << "trial " << trial << ", cell " << cell;
+        left_out += observed.floor[cell] == 0 ? 1 : 0;
       } else if (observed.floor[cell] != 0) {
         // Between two that were seen.
         ASSERT_TRUE(isSetAround(floor, grid.geometry(), cell)) << "trial " << trial << ", cell " << cell;
@@ -121,6 +123,7 @@ TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
     }
   }
   EXPECT_GT(floor_cells, 10000U);
+  EXPECT_LT(left_out, floor_cells / 30);
   EXPECT_GT(hits, 10000U);
 }
 

@@ -6,8 +6,8 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
+#include "polygonal_perception/perception/floor/pinhole_fit.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
-#include "polygonal_perception/perception/planes/sample_grid.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -43,12 +43,8 @@ struct ViewAxesParameters
   }
 };
 
-/// Reads off the pixels of a cloud where its camera looks: a pinhole's pixel (u, v) looks along M (u, v, 1), and M is
-/// the same whatever the pixels see. So a view that has returns on one side only, or a frame with whatever axes, changes
-/// nothing.
-///
-/// @return nothing where the samples have too few points, or no pinhole looks like that
-POLYGONAL_PERCEPTION_EXPORT std::optional<ViewAxes> viewAxesOfPixels(const SampleGrid& samples);
+/// The axes of the pinhole from which a cloud's pixels come.
+POLYGONAL_PERCEPTION_EXPORT ViewAxes viewAxesOf(const Pinhole& pinhole);
 
 /// The axes by convention (REP 103): those of an optical frame, or, for a cloud, of a body frame where up is z.
 /// @param initial_up  up in the input's frame, any length

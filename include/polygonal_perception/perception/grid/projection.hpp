@@ -39,6 +39,9 @@ public:
     int min_points_per_cell = 1;  ///< a cell with fewer points stays free
     double height_sigmas = 0.0;   ///< points that are not higher than so many standard deviations are floor
 
+    /// [m] Of the slabs in which ObservedCells has what stands.
+    double slabHeight() const { return (max_height - min_height) / ObservedCells::kSlabs; }
+
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
     {

@@ -33,6 +33,21 @@ struct PinholeRays
     for (std::uint32_t v = 0; v < height; ++v) rays.row_slope[v] = static_cast<float>((v - cy) / fy);
     return rays;
   }
+
+  /// The matrix that takes a direction to (u, v, 1) up to a positive factor.
+  Eigen::Matrix3f pixelOfDirection() const
+  {
+    const auto line = [](const std::vector<float>& slopes) {
+      const float per_pixel =
+          slopes.size() > 1 ? (slopes.back() - slopes.front()) / static_cast<float>(slopes.size() - 1) : 1.0F;
+      return Eigen::Vector2f(1.0F / per_pixel, -slopes.front() / per_pixel);
+    };
+    const Eigen::Vector2f u = line(column_slope);
+    const Eigen::Vector2f v = line(row_slope);
+    Eigen::Matrix3f matrix;
+    matrix << u.x(), 0.0F, u.y(), 0.0F, v.x(), v.y(), 0.0F, 0.0F, 1.0F;
+    return matrix;
+  }
 };
 
 /// How the points of an organised frame lie in memory.
@@ -135,6 +150,12 @@ public:
   /// [m^2] Squares of the ranges between which points lie.
   float nearestSquared() const { return nearest_squared_; }
   float farthestSquared() const { return farthest_squared_; }
+  /// Whether points are left out by their range, but for the default: what lies in the sensor itself.
+  bool isLimited() const
+  {
+    constexpr double kDefault = RangeLimits{}.min_range;
+    return nearest_squared_ > static_cast<float>(kDefault * kDefault) || farthest_squared_ < kMostSquared;
+  }
   /// Whether points are left out by where they lie.
   bool leavesOut() const { return ignored_ != nullptr; }
   /// The first byte of row v.
