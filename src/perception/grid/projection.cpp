@@ -107,6 +107,7 @@ void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floo
   if (with_floor) addLayers(geometry, parameters_, transform);
   if (rules.ground != nullptr) {
     transform.lowest += rules.ground->lowest();
+    transform.standing += rules.ground->lowest();
     transform.highest += rules.ground->highest();
   }
   const bool asks_noise = rules.noise != nullptr && parameters_.height_sigmas > 0.0;

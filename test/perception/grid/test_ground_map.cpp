@@ -119,6 +119,39 @@ TEST(GroundMap, WhatStandsOnARampStandsAndTheRampDoesNot)
   EXPECT_EQ(standing.size(), 2U);
 }
 
+/// A cloud of many rows to a cell over a ramp that leads down from 1 m on, with things on it in some of the rows.
+TEST(GroundMap, WithWhatIsObservedTheSameStandsAndTheRampIsSeen)
+{
+  struct Point
+  {
+    float x, y, z;
+  };
+  constexpr int kColumns = 64;
+  constexpr int kRows = 800;
+  std::vector<Point> points;
+  for (int v = 0; v < kRows; ++v) {
+    const float x = 0.3F + 0.004F * static_cast<float>(v);
+    const float ground = std::min(0.0F, -0.1F * (x - 1.0F));
+    for (int u = 0; u < kColumns; ++u) {
+      const bool is_thing = v % 37 == 5 && u % 16 == 3;
+      points.push_back({x, 0.03F * static_cast<float>(u - kColumns / 2), ground + (is_thing ? 0.05F : 0.0F)});
+    }
+  }
+  GroundMap map;
+  map.build(kGrid, {surface(0.0F, 0.0F, 0.1F, 1.0F), surface(-0.1F, 0.1F, 1.1F, 4.9F)});
+  const PointView view = PointView::points(points.data(), kColumns, kRows);
+  Projection projection{Projection::Parameters{}};
+  BinaryGrid plain(kGrid);
+  BinaryGrid with_observed(kGrid);
+  ObservedCells observed;
+  projection.project(view, Eigen::Isometry3d::Identity(), plain, {nullptr, &map});
+  projection.project(view, Eigen::Isometry3d::Identity(), with_observed, {nullptr, &map}, &observed);
+  EXPECT_EQ(plain.count(), 80U);
+  EXPECT_EQ(with_observed.cells(), plain.cells());
+  for (int i = 8; i < 68; ++i)
+    EXPECT_EQ(observed.floor[static_cast<std::size_t>(50 * kGrid.cells_x + i)], 1) << "x = " << 0.05 * i;
+}
+
 TEST(GroundMap, ARampDownIsNoDrop)
 {
   const geometry::Plane floor = test::floorSeenFrom(0.8, 0.0);
