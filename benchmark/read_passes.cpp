@@ -154,8 +154,8 @@ int measure()
                 reads.total() / kFrames, clouds.total() / kFrames, cloud_passes.back(),
                 depths.total() / kFrames, depth_passes.back());
   }
-  for (const Subject* subject :
-       {&cloud, &depth, &cloud_planes, &depth_planes, &cloud_observed, &depth_observed})
+  for (const Subject* subject : {&cloud, &depth, &cloud_planes, &depth_planes, &cloud_observed,
+                                 &depth_observed, &cloud_cells, &depth_cells})
     subject->printStages();
   std::printf(
       "read passes: cloud %.2f, depth %.2f; more for the observed grid: cloud %.2f, depth %.2f; for the "

@@ -44,6 +44,12 @@ class AnyImage
 public:
   AnyImage(const PointView& points, const Eigen::Matrix3f& pixels) : points_(points), pixels_(pixels) {}
 
+  /// Asks for the memory of a pixel that is looked at soon.
+  void prefetch(float u, float v) const
+  {
+    points_.prefetch(static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v));
+  }
+
   bool seesBehind(float u, float v, float w) const
   {
     return liesBehind(points_.point(static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v)), u, v, w);
@@ -92,6 +98,9 @@ public:
   {
   }
 
+  // A depth image is small enough for the cache.
+  void prefetch(float /*u*/, float /*v*/) const {}
+
   bool seesBehind(float u, float v, float w) const
   {
     Depth depth;
@@ -109,16 +118,25 @@ private:
   float unit_;
 };
 
-/// Of the slabs of a column, those whose pixels see something more than `farther` times as far ahead.
-template <class Image>
-std::uint8_t lookedThrough(const Image& image, const Column& column, float farther)
+/// A cell that is about to be looked at.
+struct NextCell
 {
+  Column column{};
+  float farther = 1.0F;          // that what is seen must lie so many times as far ahead
+  std::uint8_t* free = nullptr;  // null: there is none
+};
+
+template <class Image>
+void lookAt(const Image& image, const NextCell& cell)
+{
+  if (cell.free == nullptr) return;
+  const Column& column = cell.column;
   unsigned bits = 0;
   for (int k = 0; k < kSlabs; ++k) {
-    if (column.inside[k] != 0 && image.seesBehind(column.u[k], column.v[k], farther * column.w[k]))
+    if (column.inside[k] != 0 && image.seesBehind(column.u[k], column.v[k], cell.farther * column.w[k]))
       bits |= 1U << k;
   }
-  return static_cast<std::uint8_t>(bits);
+  *cell.free = static_cast<std::uint8_t>(bits);
 }
 
 /// The middles of the slabs of all cells, as homogeneous pixels.
@@ -146,14 +164,16 @@ bool isBeside(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float columns,
 }
 
 template <class Image>
-void lookAt(const Image& image, const Slabs& slabs, std::vector<std::uint8_t>& free)
+void lookAtAll(const Image& image, const Slabs& slabs, std::vector<std::uint8_t>& free)
 {
   const GridGeometry& geometry = slabs.cells.geometry;
   const auto side = static_cast<float>(geometry.resolution);
   const float to_corner = 0.5F * std::sqrt(2.0F * side * side + slabs.slab * slabs.slab);
   const float first = static_cast<float>(slabs.cells.heights.min_height) + 0.5F * slabs.slab;
   const Eigen::Vector3f up = slabs.slab * slabs.pixel_of_place.col(2);
-  Column column{};
+  // A cloud's pixels lie all over the memory: those of the next cell are on their way while one is looked at.
+  NextCell cells[2];
+  unsigned turn = 0;
   // Across the view, not along it: cells side by side are looked up in the same rows of the image.
   for (int i = 0; i < geometry.cells_x; ++i) {
     for (int j = 0; j < geometry.cells_y; ++j) {
@@ -163,13 +183,20 @@ void lookAt(const Image& image, const Slabs& slabs, std::vector<std::uint8_t>& f
       const Eigen::Vector3f lowest(x, y, ground + first);
       const Eigen::Vector3f pixel = slabs.pixel_of_place * lowest + slabs.offset;
       if (isBeside(pixel, pixel + (kSlabs - 1.0F) * up, slabs.columns, slabs.rows)) continue;
-      column.set(pixel, up, slabs.columns, slabs.rows);
+      NextCell& next = cells[turn];
+      turn = 1 - turn;
+      next.column.set(pixel, up, slabs.columns, slabs.rows);
+      for (int k = 0; k < kSlabs; ++k) {
+        if (next.column.inside[k] != 0) image.prefetch(next.column.u[k], next.column.v[k]);
+      }
       const float range = (lowest - slabs.camera).norm();
-      free[static_cast<std::size_t>(j) * static_cast<std::size_t>(geometry.cells_x) +
-           static_cast<std::size_t>(i)] =
-          lookedThrough(image, column, 1.0F + (to_corner + kSigmas * slabs.noise.at(range)) / range);
+      next.farther = 1.0F + (to_corner + kSigmas * slabs.noise.at(range)) / range;
+      next.free = free.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(geometry.cells_x) +
+                  static_cast<std::size_t>(i);
+      lookAt(image, cells[turn]);
     }
   }
+  lookAt(image, cells[1 - turn]);
 }
 
 }  // namespace
@@ -191,13 +218,13 @@ void LookThrough::look(const PointView& points, const std::optional<Eigen::Matri
                     noise_};
   const bool is_whole = !points.leavesOut() && !points.isLimited();
   if (is_whole && points.layout() == PointLayout::kDepthUnits) {
-    lookAt(DepthImage<std::uint16_t>(points), slabs, free);
+    lookAtAll(DepthImage<std::uint16_t>(points), slabs, free);
   } else if (is_whole && points.layout() == PointLayout::kDepthMetres) {
-    lookAt(DepthImage<float>(points), slabs, free);
+    lookAtAll(DepthImage<float>(points), slabs, free);
   } else if (is_whole && points.layout() == PointLayout::kCloud) {
-    lookAt(CloudImage(points, *pixels), slabs, free);
+    lookAtAll(CloudImage(points, *pixels), slabs, free);
   } else {
-    lookAt(AnyImage(points, *pixels), slabs, free);
+    lookAtAll(AnyImage(points, *pixels), slabs, free);
   }
 }
 
