@@ -40,16 +40,25 @@ public:
     for (int k = 0; k < count; ++k) points_[any(random)] = Eigen::Vector3f(-1.0F, 2.0F, -3.0F);
   }
 
-  std::optional<ViewAxes> axes() const
+  std::optional<Pinhole> pinhole() const
   {
     PointView::CloudStrides strides;
     strides.point_step = sizeof(Eigen::Vector3f);
     strides.row_step = kWidth * strides.point_step;
     SampleGrid samples{SampleGrid::Parameters{}};
     samples.update(PointView::cloud(points_.data(), kWidth, 48, strides));
-    const std::optional<Pinhole> pinhole = fitPinhole(samples);
+    return fitPinhole(samples);
+  }
+  std::optional<ViewAxes> axes() const
+  {
+    const std::optional<Pinhole> pinhole = this->pinhole();
     if (!pinhole) return std::nullopt;
     return viewAxesOf(*pinhole);
+  }
+  /// The point of a pixel.
+  Eigen::Vector3d point(int u, int v) const
+  {
+    return points_[static_cast<std::size_t>(v * kWidth + u)].cast<double>();
   }
 
 private:
@@ -76,6 +85,21 @@ void expectAxes(const WideView& view, const Eigen::Vector3d& forward, const Eige
 }
 
 const Eigen::Matrix3f kOptical = Eigen::Matrix3f::Identity();
+
+TEST(PinholeFit, SaysWhereEachPixelLooks)
+{
+  for (const Eigen::Matrix3f& axes : {kOptical, intoBodyFrame()}) {
+    const WideView view(axes, 0, 63);
+    const auto pinhole = view.pinhole();
+    ASSERT_TRUE(pinhole);
+    for (int v = 0; v < 48; v += 5) {
+      for (int u = 0; u < 64; u += 7) {
+        const Eigen::Vector3d direction = pinhole->direction_of_pixel * Eigen::Vector3d(u, v, 1.0);
+        EXPECT_LT((direction.normalized() - view.point(u, v).normalized()).norm(), 1e-5) << u << ' ' << v;
+      }
+    }
+  }
+}
 
 TEST(ViewAxes, AreReadOffThePixelsOfOpticalAndBodyFrames)
 {
