@@ -3,6 +3,7 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "ros/perception/depth_input.hpp"
 
@@ -112,6 +113,9 @@ TEST(DepthInput, ADistortionIsSaidOnceForEachCalibration)
             "rectified image (image_rect), or obstacles are in wrong places");
   EXPECT_EQ(noticeOf({-0.2, 0.05, 0.0, 0.0, 0.0}, 4.0), "") << "of the same calibration, in a new message";
   EXPECT_NE(noticeOf({-0.1, 0.05, 0.0, 0.0, 0.0}, 5.0), "") << "of another";
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(noticeOf({kNaN, 0.0, 0.0, 0.0, 0.0}, 6.0), "");
+  EXPECT_EQ(noticeOf({kNaN, 0.0, 0.0, 0.0, 0.0}, 7.0), "") << "NaN is no news when it comes again";
 }
 
 TEST(DepthInput, BinningAndRegionOfInterestLeadToTheImage)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "ros/perception/image_size.hpp"
@@ -53,6 +54,13 @@ std::uint32_t imageSide(std::uint32_t full, std::uint32_t region, std::uint32_t 
 std::string sizeText(std::uint32_t width, std::uint32_t height)
 {
   return std::to_string(width) + "x" + std::to_string(height);
+}
+
+/// Bit by bit: a driver's NaN is the same as its last one.
+template <class Numbers>
+bool areSame(const Numbers& a, const Numbers& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// An image that was rectified has the same camera_info as the one that it was made of: nobody can tell from it which of
@@ -139,8 +147,8 @@ std::string DepthInput::adoptCalibration(const sensor_msgs::Image& image)
   const bool same_size = rays_.column_slope.size() == image.width && rays_.row_slope.size() == image.height;
   const bool same_calibration =
       info_of_rays_ == info_ ||
-      (info_of_rays_ && info_of_rays_->P == info.P && info_of_rays_->K == info.K &&
-       info_of_rays_->D == info.D && info_of_rays_->roi == info.roi &&
+      (info_of_rays_ && areSame(info_of_rays_->P, info.P) && areSame(info_of_rays_->K, info.K) &&
+       areSame(info_of_rays_->D, info.D) && info_of_rays_->roi == info.roi &&
        info_of_rays_->binning_x == info.binning_x && info_of_rays_->binning_y == info.binning_y);
   if (!same_size || !same_calibration) {
     rays_ = perception::PinholeRays::make(image.width, image.height, k.fx, k.fy, k.cx, k.cy);
