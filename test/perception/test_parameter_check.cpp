@@ -60,7 +60,14 @@ TEST(ParameterCheck, AGridOfTooManyCellsIsRefused)
   parameters.grid.grid_resolution = 0.01;
   const auto fault = findFault(parameters);
   ASSERT_TRUE(fault) << "25 million cells";
-  EXPECT_EQ(fault->names, (Names{"grid_length", "grid_width", "grid_resolution"}));
+  EXPECT_EQ(fault->names, (Names{"grid_length", "grid_behind", "grid_width", "grid_resolution"}));
+
+  parameters.grid = {};
+  parameters.grid.grid_width = 50.0;
+  parameters.grid.grid_resolution = 0.01;
+  EXPECT_FALSE(findFault(parameters)) << "2.5 million cells";
+  parameters.grid.grid_behind = 5.0;
+  EXPECT_TRUE(findFault(parameters)) << "twice as many";
 }
 
 TEST(ParameterCheck, UpMustBeADirection)
