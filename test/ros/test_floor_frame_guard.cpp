@@ -61,6 +61,15 @@ TEST_F(FloorFrameGuardTest, OfTwoThatBeganAtOnceOneIsSilent)
   EXPECT_NE(other.conflict("right", now_), "") << "and stays so";
 }
 
+TEST_F(FloorFrameGuardTest, WhatOneSentBeforeOneWasSilentIsNotSomebodyElses)
+{
+  guard_.broadcast("right");
+  see(guard_, "left");
+  EXPECT_NE(guard_.conflict("right", now_), "");
+  see(guard_, "right");
+  EXPECT_NE(guard_.conflict("right", now_), "") << "its own transform has come back late";
+}
+
 TEST_F(FloorFrameGuardTest, AStaticTransformHoldsToTheEndAndBeforeAnyName)
 {
   guard_.broadcast("a_camera");

@@ -23,9 +23,9 @@ std::string FloorFrameGuard::conflict(const std::string& parent, Clock::time_poi
 {
   if (!other_ || other_->parent == parent) return {};
   if (!other_->is_static && now - other_->seen > kForgotten) return {};
-  const bool was_first = !own_parents_.empty() && parent < other_->parent;
+  const bool was_first = is_broadcasting_ && parent < other_->parent;
   if (was_first && !other_->is_static) return {};
-  own_parents_.clear();
+  is_broadcasting_ = false;
   return "floor_frame '" + floor_frame_ + "' is already broadcast below '" + other_->parent + "', by " +
          other_->publisher + "; each camera needs a floor_frame of its own";
 }

@@ -30,7 +30,11 @@ public:
   std::string conflict(const std::string& parent, Clock::time_point now);
 
   /// The floor is broadcast below this frame now.
-  void broadcast(const std::string& parent) { own_parents_.insert(parent); }
+  void broadcast(const std::string& parent)
+  {
+    own_parents_.insert(parent);
+    is_broadcasting_ = true;
+  }
 
 private:
   struct Other
@@ -42,7 +46,8 @@ private:
   };
 
   std::string floor_frame_;
-  std::set<std::string> own_parents_;
+  std::set<std::string> own_parents_;  // also of before: what was sent may come back late
+  bool is_broadcasting_ = false;
   std::optional<Other> other_;
 };
 
