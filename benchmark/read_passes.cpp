@@ -70,11 +70,11 @@ public:
     };
     std::printf(
         "%-12s samples %5.1f us, floor %5.1f us, projection %5.1f us, inflation %5.1f us, polygons %5.1f "
-        "us, planes %5.1f us, looked through %5.1f us\n",
+        "us, planes %5.1f us, scan %5.1f us, looked through %5.1f us\n",
         nameOf(input_), stage(&perception::StageTimes::samples), stage(&perception::StageTimes::floor),
         stage(&perception::StageTimes::projection), stage(&perception::StageTimes::inflation),
         stage(&perception::StageTimes::polygons), stage(&perception::StageTimes::planes),
-        stage(&perception::StageTimes::looked_through));
+        stage(&perception::StageTimes::scan), stage(&perception::StageTimes::looked_through));
   }
 
 private:
@@ -101,68 +101,79 @@ private:
   std::vector<double> times_[kFrames];
 };
 
+/// What is given only where somebody reads it.
+struct Extra
+{
+  const char* name;
+  perception::Product product;
+};
+constexpr Extra kExtras[] = {{"planes", perception::Product::kPlanes},
+                             {"observed grid", perception::Product::kObserved},
+                             {"scan", perception::Product::kScan},
+                             {"observed cells", perception::Product::kLookedThrough}};
+
+/// The polygons of one kind of input, alone and with each extra, over all runs in units of a read pass.
+class Passes
+{
+public:
+  explicit Passes(Input input) : input_(input)
+  {
+    subjects_.emplace_back(input, perception::Product::kPolygons);
+    for (const Extra& extra : kExtras)
+      subjects_.emplace_back(input, perception::Products{perception::Product::kPolygons, extra.product});
+    passes_.resize(subjects_.size());
+  }
+
+  void beginRun() { run_.assign(subjects_.size(), {}); }
+  void process(std::size_t index, const CameraFrame& frame)
+  {
+    for (std::size_t k = 0; k < subjects_.size(); ++k) run_[k].add(index, subjects_[k](frame));
+  }
+  /// @param read  [us] a read pass over all frames of the run
+  void endRun(double read)
+  {
+    passes_.front().push_back(run_.front().total() / read);
+    for (std::size_t k = 1; k < subjects_.size(); ++k)
+      passes_[k].push_back((run_[k].total() - run_.front().total()) / read);
+    std::printf("  %s %.1f us (%.2f)\n", nameOf(input_), run_.front().total() / kFrames,
+                passes_.front().back());
+  }
+
+  void print() const
+  {
+    for (const Subject& subject : subjects_) subject.printStages();
+    std::printf("read passes: %s %.2f", nameOf(input_), median(passes_.front()));
+    for (std::size_t k = 1; k < subjects_.size(); ++k)
+      std::printf(", more for %s %.2f", kExtras[k - 1].name, median(passes_[k]));
+    std::printf("\n");
+  }
+
+private:
+  Input input_;
+  std::vector<Subject> subjects_;
+  std::vector<Run> run_;                     // by subject
+  std::vector<std::vector<double>> passes_;  // by subject, one a run
+};
+
 int measure()
 {
   const auto frames = drive(Surroundings::kOffice, 640, 480, kFrames);
-  using perception::Product;
-  Subject cloud(Input::kCloud16, Product::kPolygons);
-  Subject depth(Input::kDepthMillimetres, Product::kPolygons);
-  // What is given only where somebody reads it.
-  Subject cloud_planes(Input::kCloud16, {Product::kPolygons, Product::kPlanes});
-  Subject depth_planes(Input::kDepthMillimetres, {Product::kPolygons, Product::kPlanes});
-  Subject cloud_observed(Input::kCloud16, {Product::kPolygons, Product::kObserved});
-  Subject cloud_cells(Input::kCloud16, {Product::kPolygons, Product::kLookedThrough});
-  Subject depth_cells(Input::kDepthMillimetres, {Product::kPolygons, Product::kLookedThrough});
-  Subject depth_observed(Input::kDepthMillimetres, {Product::kPolygons, Product::kObserved});
-  std::vector<double> cloud_passes;
-  std::vector<double> depth_passes;
-  std::vector<double> cloud_observed_passes;
-  std::vector<double> depth_observed_passes;
-  std::vector<double> cloud_cells_passes;
-  std::vector<double> depth_cells_passes;
+  Passes inputs[] = {Passes(Input::kCloud16), Passes(Input::kDepthMillimetres)};
   volatile std::uint64_t sum = 0;
-
   for (int run = 0; run < kRuns; ++run) {
     Run reads;
-    Run clouds;
-    Run depths;
-    Run clouds_observed;
-    Run depths_observed;
-    Run clouds_cells;
-    Run depths_cells;
+    for (Passes& input : inputs) input.beginRun();
     for (int turn = 0; turn < kTurns; ++turn) {
       for (std::size_t k = 0; k < frames.size(); ++k) {
         const std::vector<float>& bytes = frames[k]->cloud16();
         reads.add(k, timeOf([&] { sum = readPass(bytes.data(), bytes.size() * sizeof(float)); }));
-        clouds.add(k, cloud(*frames[k]));
-        depths.add(k, depth(*frames[k]));
-        cloud_planes(*frames[k]);
-        depth_planes(*frames[k]);
-        clouds_observed.add(k, cloud_observed(*frames[k]));
-        depths_observed.add(k, depth_observed(*frames[k]));
-        clouds_cells.add(k, cloud_cells(*frames[k]));
-        depths_cells.add(k, depth_cells(*frames[k]));
+        for (Passes& input : inputs) input.process(k, *frames[k]);
       }
     }
-    cloud_observed_passes.push_back((clouds_observed.total() - clouds.total()) / reads.total());
-    depth_observed_passes.push_back((depths_observed.total() - depths.total()) / reads.total());
-    cloud_cells_passes.push_back((clouds_cells.total() - clouds.total()) / reads.total());
-    depth_cells_passes.push_back((depths_cells.total() - depths.total()) / reads.total());
-    cloud_passes.push_back(clouds.total() / reads.total());
-    depth_passes.push_back(depths.total() / reads.total());
-    std::printf("run %d: a read pass %.1f us, cloud %.1f us (%.2f), depth %.1f us (%.2f)\n", run + 1,
-                reads.total() / kFrames, clouds.total() / kFrames, cloud_passes.back(),
-                depths.total() / kFrames, depth_passes.back());
+    std::printf("run %d: a read pass %.1f us\n", run + 1, reads.total() / kFrames);
+    for (Passes& input : inputs) input.endRun(reads.total());
   }
-  for (const Subject* subject : {&cloud, &depth, &cloud_planes, &depth_planes, &cloud_observed,
-                                 &depth_observed, &cloud_cells, &depth_cells})
-    subject->printStages();
-  std::printf(
-      "read passes: cloud %.2f, depth %.2f; more for the observed grid: cloud %.2f, depth %.2f; for the "
-      "observed "
-      "cells: cloud %.2f, depth %.2f\n",
-      median(cloud_passes), median(depth_passes), median(cloud_observed_passes),
-      median(depth_observed_passes), median(cloud_cells_passes), median(depth_cells_passes));
+  for (const Passes& input : inputs) input.print();
   return EXIT_SUCCESS;
 }
 

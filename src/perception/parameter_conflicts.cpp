@@ -39,6 +39,12 @@ std::optional<ParameterFault> Pipeline::Parameters::conflict() const
     return fault;
   }
   if (auto fault = findTooManyCells(grid)) return fault;
+  if (!scan.coversView()) {
+    if (auto fault = parameters::findDisorder("scan_angle_min", scan.scan_angle_min, "scan_angle_max",
+                                              scan.scan_angle_max)) {
+      return fault;
+    }
+  }
   if (!(tracker.initial_up.norm() > 0.0)) {
     return ParameterFault{{"initial_up"}, "initial_up is a zero vector, accepted is any other direction"};
   }

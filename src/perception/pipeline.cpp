@@ -36,6 +36,7 @@ Pipeline::Pipeline(const Parameters& parameters)
       projection_(parameters.projection),
       drop_offs_(parameters.drop_offs),
       look_through_(parameters.detector.planes.noise),
+      scanner_(parameters.scan),
       inflation_(parameters.inflation),
       polygonizer_(parameters.polygonizer),
       result_(parameters.samples)
@@ -67,7 +68,10 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
   // III-B, last lines. Frames that nobody asked for planes of part those before from those after.
   if (!r.products.has(Product::kPlanes)) segmentation_.reset();
   run(Product::kPlanes, &Times::planes, [&] { listPlanes(frame); });
-  if (r.floor.status == FloorStatus::kNotFound) return r;
+  if (r.floor.status == FloorStatus::kNotFound) {
+    run(Product::kScan, &Times::scan, [&] { makeUnknownScan(frame); });
+    return r;
+  }
 
   // Figure 3
   run(Product::kFloorHull, &Times::floor_hull, [&] {
@@ -79,13 +83,21 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
   // Section IV: into the floor frame and onto the grid, grown by the robot's radius, as polygons
   HeightRules rules{&noise, nullptr};
   if (ground_planes_.isActive()) run(Product::kGround, &Times::ground, [&] { rules.ground = mapGround(); });
+  const auto pixels = pixelsOfDirections(frame.points, pinhole_);
+  const FloorScanner::View view{frame.points, pixels, r.to_floor_frame};
+  const FloorPointNoise floor_noise = noise.onFloor(r.to_floor_frame);
   run(Product::kOccupancy, &Times::projection, [&] {
-    ObservedCells* const observed = r.products.has(Product::kObserved) ? &r.observed : nullptr;
-    projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules, observed);
+    Observation wanted;
+    if (r.products.has(Product::kObserved)) wanted.cells = &r.observed;
+    if (r.products.has(Product::kScan)) {
+      scanner_.cover(view);
+      wanted.nearest = &scanner_.beginFrame(view, floor_noise);
+    }
+    projection_.project(frame.points, r.to_floor_frame, r.occupancy, rules, wanted);
     drop_offs_.mark(frame.points, r.to_floor_frame, r.occupancy, rules.ground);
   });
+  run(Product::kScan, &Times::scan, [&] { scanner_.finishFrame(view, r.occupancy, r.observed, r.scan); });
   run(Product::kLookedThrough, &Times::looked_through, [&] {
-    const auto pixels = pixelsOfDirections(frame.points, pinhole_);
     look_through_.look(frame.points, pixels, r.to_floor_frame,
                        {r.occupancy.geometry(), parameters_.projection, rules.ground}, r.observed.free);
   });
@@ -108,6 +120,7 @@ void Pipeline::clearResult(Products products)
   result_.planes.clear();
   result_.occupancy.reset(geometry);
   result_.observed.clear();
+  result_.scan.ranges.clear();
   result_.obstacle_points.clear();
   result_.inflated.reset(geometry);
   result_.polygons.clear();
@@ -149,6 +162,15 @@ void Pipeline::findViewAxes(const Frame& frame)
   result_.heading = forward ? viewAxesAlong(*forward, initial_up) : result_.view;
 }
 
+void Pipeline::makeUnknownScan(const Frame& frame)
+{
+  // As many bins as there would be if the camera stood as it does at the start.
+  const Eigen::Vector3d up = parameters_.tracker.initial_up.normalized();
+  const auto pixels = pixelsOfDirections(frame.points, pinhole_);
+  scanner_.cover({frame.points, pixels, floorFrame({up, 0.0}, result_.heading)});
+  scanner_.makeUnknown(result_.scan);
+}
+
 const GroundMap* Pipeline::mapGround()
 {
   const auto& planes = ground_planes_.find(tracker_.detector(), result_.floor.floor.plane);
@@ -170,6 +192,7 @@ void Pipeline::skip()
 {
   clearResult({});
   result_.floor = FloorState{};
+  if (scanner_.bins().count > 0) scanner_.makeUnknown(result_.scan);
 }
 
 void Pipeline::reset()
@@ -178,6 +201,7 @@ void Pipeline::reset()
   segmentation_.reset();
   pinhole_.reset();
   pinhole_tries_ = 0;
+  scanner_.reset();
   skip();
   result_.floor_hull.clear();
 }
@@ -192,6 +216,7 @@ void Pipeline::configure(const Parameters& parameters)
   projection_ = Projection(parameters.projection);
   drop_offs_ = DropOffs(parameters.drop_offs);
   look_through_ = LookThrough(parameters.detector.planes.noise);
+  scanner_ = FloorScanner(parameters.scan);
   inflation_ = Inflation(parameters.inflation);
   polygonizer_ = Polygonizer(parameters.polygonizer);
 }

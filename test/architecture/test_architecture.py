@@ -30,6 +30,7 @@ ROOMS = [
     Room('perception/planes', 'perception', ['Eigen/'], BASE + ['perception/input']),
     Room('perception/floor', 'perception', ['Eigen/'], BASE + ['perception/input', 'perception/planes']),
     Room('perception/grid', 'perception', ['Eigen/'], BASE + ['perception/input']),
+    Room('perception/scan', 'perception', ['Eigen/'], BASE + ['perception/input', 'perception/grid']),
     Room('perception/polygons', 'perception', ['Eigen/'],
          BASE + ['perception/input', 'perception/floor', 'perception/grid']),
     Room('perception/segmentation', 'perception', ['Eigen/'],

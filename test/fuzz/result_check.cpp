@@ -54,6 +54,14 @@ void requireSound(const perception::Pipeline::Result& result,
             "and it is the grid's");
   for (std::size_t k = 0; k < observed.hit.size(); ++k)
     require(observed.hit[k] == 0 || occupied[k] != 0, "where something was hit the cell is occupied");
+  if (result.products.has(perception::Product::kScan)) {
+    require(result.scan.ranges.size() == result.scan.bins.count && result.scan.bins.count > 0,
+            "a scan has a range for each bin");
+    for (const float range : result.scan.ranges)
+      require(!(range < 0.0F) &&
+                  (!std::isfinite(range) || range <= 1.001F * static_cast<float>(result.scan.range_max)),
+              "a range is within the scan's limits");
+  }
   for (const geometry::PolygonSet::Ring& ring : result.polygons.rings) {
     require(ring.size >= 3, "a ring has three vertices");
     require(ring.first + ring.size <= result.polygons.vertices.size(), "a ring has its vertices");

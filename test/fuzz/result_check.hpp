@@ -6,8 +6,9 @@ namespace polygonal_perception::test {
 
 /// All that a frame can be asked for.
 inline constexpr perception::Products kAllProducts{
-    perception::Product::kPolygons, perception::Product::kPlanes, perception::Product::kFloorHull,
-    perception::Product::kObstaclePoints, perception::Product::kLookedThrough};
+    perception::Product::kPolygons,      perception::Product::kPlanes,
+    perception::Product::kFloorHull,     perception::Product::kObstaclePoints,
+    perception::Product::kLookedThrough, perception::Product::kScan};
 
 /// Ends the program, as the fuzzer wants it, when `holds` is false.
 void require(bool holds, const char* what);

@@ -114,7 +114,7 @@ TEST_P(Allocations, OfThePipelineAreNoneOnceItIsWarm)
   const auto [warming, warm] = count([&](const PointView& points) {
     frame.points = points;
     frame.stamp += 0.03;
-    pipeline.process(frame, {Product::kPolygons, Product::kLookedThrough});
+    pipeline.process(frame, {Product::kPolygons, Product::kLookedThrough, Product::kScan});
     ASSERT_EQ(pipeline.result().floor.status, FloorStatus::kFound);
     ASSERT_FALSE(pipeline.result().polygons.rings.empty());
   });

@@ -26,8 +26,9 @@ TEST(Products, AreSets)
   EXPECT_TRUE(Products{}.empty());
   const Products both = Products(Product::kFloorHull) | Product::kOccupancy;
   EXPECT_EQ(both, (Products{Product::kOccupancy, Product::kFloorHull}));
-  EXPECT_EQ(both.inInputFrame(), Products(Product::kFloorHull));
-  EXPECT_EQ((Products{Product::kPolygons, Product::kPlanes}.inInputFrame()), Products(Product::kPlanes));
+  EXPECT_EQ(both.withoutOutputFrame(), Products(Product::kFloorHull));
+  EXPECT_EQ((Products{Product::kPolygons, Product::kPlanes}.withoutOutputFrame()),
+            Products(Product::kPlanes));
   EXPECT_NE(both, Products(Product::kFloorHull));
 }
 

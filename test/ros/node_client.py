@@ -8,7 +8,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import OccupancyGrid
 from pcl_msgs.msg import ModelCoefficients
 from rosgraph_msgs.msg import Log
-from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from sensor_msgs.msg import CameraInfo, Image, LaserScan, PointCloud2
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -21,6 +21,7 @@ OUTPUTS = {
     'occupancy_grid': OccupancyGrid,
     'observed_grid': OccupancyGrid,
     'observed_cells': ObservedCells,
+    'scan': LaserScan,
     'inflated_grid': OccupancyGrid,
     'polygons': PolygonArray,
     'markers': MarkerArray,

@@ -84,6 +84,7 @@ class AnswersTest(unittest.TestCase):
         expected = scene.inflate(cells, 0.05, RADIUS)
         np.testing.assert_array_equal(np.array(inflated.data, np.int8).reshape(100, 100) == 100, expected)
         self.check_observed(points, cells, answer)
+        self.check_scan(points, answer)
         return cells
 
     def check_observed(self, points, occupied, answer):
@@ -112,6 +113,29 @@ class AnswersTest(unittest.TestCase):
         # Above most of the floor that is seen the lowest slab was looked through, and behind what stands none.
         self.assertGreater(np.count_nonzero(through[free] & 1), 0.5 * np.count_nonzero(free))
         self.assertGreater(np.count_nonzero(through == 0), 500)
+
+    def check_scan(self, points, answer):
+        scan = answer['scan']
+        self.assertEqual(scan.header, answer['floor'].header.__class__(scan.header.seq, answer['floor'].header.stamp, 'floor'))
+        self.assertEqual((scan.range_min, scan.range_max, scan.time_increment), (0.0, 5.0, 0.0))
+        self.assertAlmostEqual(scan.angle_increment, 0.00873, places=6)
+        ranges = np.array(scan.ranges)
+        self.assertEqual(len(ranges), round((scan.angle_max - scan.angle_min) / scan.angle_increment) + 1)
+        known = points[np.isfinite(points).all(-1)]
+        standing = known[(known[:, 2] > MIN_HEIGHT + self.margin + 0.005) & (known[:, 2] < MAX_HEIGHT - self.margin - 0.005)]
+        nearest = np.full(len(ranges) + 2, np.inf)
+        bins = np.round((np.arctan2(standing[:, 1], standing[:, 0]) - scan.angle_min) / scan.angle_increment).astype(int)
+        distance = np.hypot(standing[:, 0], standing[:, 1])
+        inside = (bins >= 0) & (bins < len(ranges))
+        np.minimum.at(nearest, bins[inside] + 1, distance[inside])
+        around = np.minimum(np.minimum(nearest[:-2], nearest[2:]), nearest[1:-1])  # what noise puts in the next bin is as good
+        ends = np.isfinite(ranges)
+        self.assertGreater(np.count_nonzero(ends), 20)
+        self.assertGreater((ranges[ends] - around[ends]).min(), -0.02, 'ranges before what stands there')
+        seen = nearest[1:-1] < 4.9
+        reached = np.minimum(np.minimum(np.r_[np.inf, ranges[:-1]], np.r_[ranges[1:], np.inf]), ranges)[seen]
+        self.assertLess(np.nanmax(reached - nearest[1:-1][seen]), 0.02, 'ranges beyond what stands there')
+        self.assertFalse((ranges == np.inf)[nearest[1:-1] < 4.9].any(), 'clear through an obstacle')
 
     def check_polygons(self, occupied, answer):
         message = answer['polygons']

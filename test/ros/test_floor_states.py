@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """FOUND, HELD and NOT_FOUND; what makes the node forget a floor."""
+import math
 import sys
 import unittest
 import xmlrpc.client
@@ -55,6 +56,10 @@ class FloorStatesTest(unittest.TestCase):
         cells = answer['observed_cells']
         self.assertEqual(cells.floor_status, NOT_FOUND)
         self.assertEqual([bytes(bits) for bits in (cells.hit, cells.free, cells.floor)], 3 * [bytes(10000)])
+        scan = answer['scan']
+        self.assertEqual(scan.header.frame_id, 'floor')
+        self.assertGreater(len(scan.ranges), 50)
+        self.assertTrue(all(math.isnan(r) for r in scan.ranges), 'nobody knows anything')
         self.assertEqual(answer['obstacle_points'].width, 0)
         # What fills the image is a plane all the same; how it lies nobody knows.
         self.assertEqual([p.kind for p in answer['planes'].planes], [Plane.UNKNOWN])

@@ -20,6 +20,7 @@
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
 #include "polygonal_perception/perception/polygons/polygonizer.hpp"
 #include "polygonal_perception/perception/products.hpp"
+#include "polygonal_perception/perception/scan/floor_scanner.hpp"
 #include "polygonal_perception/perception/segmentation/plane_segmentation.hpp"
 #include "polygonal_perception/perception/stage_times.hpp"
 
@@ -50,6 +51,7 @@ public:
     GridParameters grid;
     Projection::Parameters projection;
     DropOffs::Parameters drop_offs;
+    FloorScanner::Parameters scan;
     Inflation::Parameters inflation;
     Polygonizer::Parameters polygonizer;
 
@@ -65,6 +67,7 @@ public:
       GridParameters::describe(self.grid, visit);
       Projection::Parameters::describe(self.projection, visit);
       DropOffs::Parameters::describe(self.drop_offs, visit);
+      FloorScanner::Parameters::describe(self.scan, visit);
       Inflation::Parameters::describe(self.inflation, visit);
       Polygonizer::Parameters::describe(self.polygonizer, visit);
     }
@@ -92,6 +95,7 @@ public:
         floor_hull;          ///< [m] in the input's frame; a held floor's is the one it was found with
     BinaryGrid occupancy;    ///< free everywhere when NOT_FOUND or not asked for
     ObservedCells observed;  ///< in the grid's cells; empty when NOT_FOUND or not asked for
+    LevelScan scan;          ///< in the floor frame; all unknown when NOT_FOUND, empty when not asked for
     std::vector<Eigen::Vector3f> obstacle_points;  ///< [m] in the floor frame
     BinaryGrid inflated;
     geometry::PolygonSet polygons;  ///< [m] in the floor frame
@@ -127,6 +131,8 @@ private:
   void findFloor(const Frame& frame);
   void listPlanes(const Frame& frame);
   void findViewAxes(const Frame& frame);
+  /// The scan where there is no floor.
+  void makeUnknownScan(const Frame& frame);
   /// What heights count from beside the floor; nullptr: nothing.
   const GroundMap* mapGround();
 
@@ -142,6 +148,7 @@ private:
   Projection projection_;
   DropOffs drop_offs_;
   LookThrough look_through_;
+  FloorScanner scanner_;
   Inflation inflation_;
   Polygonizer polygonizer_;
   std::optional<Pinhole> pinhole_;  // of the first cloud whose pixels told it

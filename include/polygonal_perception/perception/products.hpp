@@ -6,7 +6,7 @@
 namespace polygonal_perception::perception {
 
 /// What a frame can be asked for. A new product is a line here, and one each in Products::needs() and
-/// isInFloorFrame(), of which the compiler reminds; a member of Pipeline::Result, and a stage in
+/// isInOutputFrame(), of which the compiler reminds; a member of Pipeline::Result, and a stage in
 /// pipeline.cpp.
 enum class Product : std::uint8_t
 {
@@ -18,6 +18,7 @@ enum class Product : std::uint8_t
   kOccupancy,       ///< the cells in which something stands
   kObserved,        ///< where the floor was seen, and at which heights something stands
   kLookedThrough,   ///< which heights of each cell the camera looked through
+  kScan,            ///< what a level laser would see
   kObstaclePoints,  ///< the points that stand in them
   kInflation,       ///< the cells within robot_radius of those
   kPolygons         ///< the obstacles as polygons
@@ -48,13 +49,14 @@ public:
     return *this;
   }
   friend constexpr Products operator|(Products a, Products b) { return a |= b; }
-  /// Those that are given in the input's frame: what is left where nobody knows where the floor frame lies.
-  constexpr Products inInputFrame() const
+  /// Those that are given in the input's or the floor frame: what is left where nobody knows where those lie in the
+  /// output frame.
+  constexpr Products withoutOutputFrame() const
   {
     Products left;
     for (unsigned k = 0; bits_ >> k != 0; ++k) {
       const auto product = static_cast<Product>(k);
-      if (has(product) && !isInFloorFrame(product)) left |= product;
+      if (has(product) && !isInOutputFrame(product)) left |= product;
     }
     return left;
   }
@@ -74,6 +76,7 @@ private:
       case Product::kObserved:
         return Product::kOccupancy;
       case Product::kLookedThrough:
+      case Product::kScan:
         return Product::kObserved;
       case Product::kOccupancy:
       case Product::kObstaclePoints:
@@ -89,13 +92,14 @@ private:
     return Product::kFloor;
   }
 
-  static constexpr bool isInFloorFrame(Product product)
+  static constexpr bool isInOutputFrame(Product product)
   {
     switch (product) {
       case Product::kFloor:
       case Product::kSampleLabels:
       case Product::kFloorHull:
       case Product::kPlanes:
+      case Product::kScan:
         return false;
       case Product::kGround:
       case Product::kOccupancy:

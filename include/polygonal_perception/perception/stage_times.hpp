@@ -16,6 +16,7 @@ struct StageTimes
   Duration floor_hull{0};
   Duration ground{0};
   Duration projection{0};
+  Duration scan{0};
   Duration looked_through{0};
   Duration obstacle_points{0};
   Duration inflation{0};
@@ -31,6 +32,7 @@ struct StageTimes
     visit("floor hull", self.floor_hull);
     visit("ground", self.ground);
     visit("projection", self.projection);
+    visit("scan", self.scan);
     visit("looked through", self.looked_through);
     visit("obstacle points", self.obstacle_points);
     visit("inflation", self.inflation);

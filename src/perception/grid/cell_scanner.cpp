@@ -48,7 +48,8 @@ void pack(const std::uint8_t* from, std::uint32_t count, const PointView::CloudS
 
 }  // namespace
 
-void CellScanner::begin(const PointView& points, const CellTransform& transform, const StandingRule* rule)
+void CellScanner::begin(const PointView& points, const CellTransform& transform, const StandingRule* rule,
+                        const NearestLanes& nearest)
 {
   points_ = points;
   rule_ = rule;
@@ -57,6 +58,8 @@ void CellScanner::begin(const PointView& points, const CellTransform& transform,
   transform_.farthest_squared = points.farthestSquared();
   const std::uint32_t width = roundedUp(points.width());
   blocks_.resize(width / kBlock);
+  nearest_ = nearest;
+  transform_.beside = rule != nullptr && nearest.squared != nullptr ? -1 : 0;
   packed_.resize(kPackedPoint * width);
   if (points.layout() == PointLayout::kCloud) {
     pixel_ = kernel_->cloud_pixel;
@@ -97,23 +100,38 @@ CellScanner::Row CellScanner::rowAboveFloor(std::uint32_t v)
 /// few points of a frame over, but for those of the floor where they are asked for.
 void CellScanner::applyRule(std::uint32_t v, std::uint32_t count)
 {
-  const auto size = static_cast<std::uint32_t>(transform_.layer_size);
   for (std::uint32_t k = 0; k < count; ++k) {
     CellBlock& block = blocks_[k];
     for (std::uint32_t lane = 0; lane < kBlock; ++lane) {
       std::uint32_t& cell = block.cell[lane];
       if (cell == 0) continue;
-      const Eigen::Vector3f point = points_.point(column(block, lane), v);  // NaN in an ignored box
+      const Eigen::Vector3f point = points_.point(column(block, lane), v);
       if (!point.allFinite()) {
-        cell = 0;
+        cell = 0;  // in an ignored box
       } else if (rule_ != nullptr) {
-        const int layer = rule_->layer(point);
-        const std::uint32_t place = size > 0 ? (cell - 1) % size : cell - 1;
-        const bool counts = layer > 0 || (layer == 0 && size > 0);
-        cell = counts ? 1 + static_cast<std::uint32_t>(layer) * size + place : 0;
+        cell = cellByRule(point, cell, block.first + lane);
       }
     }
   }
+}
+
+std::uint32_t CellScanner::cellByRule(const Eigen::Vector3f& point, std::uint32_t cell, std::size_t lane)
+{
+  const StandingRule::Standing standing = rule_->standing(point);
+  if (standing.layer > 0 && nearest_.squared != nullptr) {
+    const float squared = standing.on_floor.head<2>().squaredNorm();
+    if (squared < nearest_.squared[lane]) {
+      nearest_.squared[lane] = squared;
+      nearest_.changed[lane / kBlock] = 1;
+      nearest_.x[lane] = standing.on_floor.x();
+      nearest_.y[lane] = standing.on_floor.y();
+      nearest_.height[lane] = standing.height - rule_->to_floor_frame.translation().z();
+    }
+  }
+  const auto size = static_cast<std::uint32_t>(transform_.layer_size);
+  if (cell == kBeside || standing.layer < 0 || (standing.layer == 0 && size == 0)) return 0;
+  const std::uint32_t in_layer = size > 0 ? (cell - 1) % size : cell - 1;
+  return 1 + static_cast<std::uint32_t>(standing.layer) * size + in_layer;
 }
 
 std::uint32_t CellScanner::cloudRow(std::uint32_t v)
@@ -121,13 +139,13 @@ std::uint32_t CellScanner::cloudRow(std::uint32_t v)
   const PointView::CloudStrides& strides = points_.strides();
   const std::uint8_t* const points = points_.row(v);
   const std::uint32_t whole = isPacked(strides) ? wholeBlocks(points_.width()) : 0;
-  std::uint32_t count = kernel_->cloud(points, whole, transform_, blocks_.data());
+  std::uint32_t count = kernel_->cloud(points, whole, transform_, blocks_.data(), nearestOfKernel());
   const std::uint32_t rest = points_.width() - whole;
   if (rest == 0) return count;
 
   pack(points + whole * strides.point_step, rest, strides, packed_.data());
   CellBlock* block = blocks_.data() + count;
-  count += kernel_->cloud(packed_.data(), roundedUp(rest), transform_, block);
+  count += kernel_->cloud(packed_.data(), roundedUp(rest), transform_, block, nearestOfKernel(whole));
   for (; block != blocks_.data() + count; ++block) block->first += whole;
   return count;
 }
@@ -151,7 +169,7 @@ std::uint32_t CellScanner::depthRow(std::uint32_t v)
                   share(transform_.row),
                   unit_ * unit_ * (slope * slope + 1.0F)};
   const std::uint32_t whole = wholeBlocks(points_.width());
-  std::uint32_t count = run(row, whole, transform_, blocks_.data());
+  std::uint32_t count = run(row, whole, transform_, blocks_.data(), nearestOfKernel());
   const std::uint32_t rest = points_.width() - whole;
   if (rest == 0) return count;
 
@@ -163,7 +181,7 @@ std::uint32_t CellScanner::depthRow(std::uint32_t v)
   row.rows += whole;
   row.squares += whole;
   CellBlock* const block = blocks_.data() + count;
-  count += run(row, kBlock, transform_, block);
+  count += run(row, kBlock, transform_, block, nearestOfKernel(whole));
   if (block != blocks_.data() + count) block->first += whole;
   return count;
 }

@@ -28,9 +28,15 @@ struct StandingRule
 
   static constexpr int kNone = -1;
 
+  struct Standing
+  {
+    int layer;                 // see CellTransform, or kNone
+    Eigen::Vector3f on_floor;  // the point in the floor frame
+    float height;              // [m] above the ground
+  };
+
   /// @param point  in the input's frame
-  /// @return its layer (see CellTransform), or kNone
-  int layer(const Eigen::Vector3f& point) const
+  Standing standing(const Eigen::Vector3f& point) const
   {
     const Eigen::Vector3f on_floor = to_floor_frame * point;
     GroundMap::Span span{0.0F, 0.0F};
@@ -39,12 +45,12 @@ struct StandingRule
     if (height < min_height) {
       // Where nobody knows whether a ramp goes on, nobody has seen the ground either.
       const bool is_on_ground = height > -min_height && std::abs(on_floor.z() - span.higher) < min_height;
-      return is_on_ground ? 0 : kNone;
+      return {is_on_ground ? 0 : kNone, on_floor, height};
     }
     const bool stands = on_floor.z() - span.higher <= max_height &&
                         (noise == nullptr || height > sigmas * noise->sigma(point));
-    return stands ? 1 + static_cast<int>(std::min((height - min_height) * slabs_per_metre, last_slab))
-                  : kNone;
+    const int slab = static_cast<int>(std::min((height - min_height) * slabs_per_metre, last_slab));
+    return {stands ? 1 + slab : kNone, on_floor, height};
   }
 };
 
@@ -65,8 +71,13 @@ public:
 
   explicit CellScanner(const ProjectionKernel& kernel) : kernel_(&kernel) {}
 
+  const ProjectionKernel& kernel() const { return *kernel_; }
+
   /// Turns to a frame, which must stay where it is until its rows are done, as must the rule; null: there is none.
-  void begin(const PointView& points, const CellTransform& transform, const StandingRule* rule = nullptr);
+  /// @param nearest  kept up to date as rows are taken, with entries for all pixels of a row and up to the end of its
+  ///                 last block; its squared null: not wanted. Frames that leave points out want a rule for it.
+  void begin(const PointView& points, const CellTransform& transform, const StandingRule* rule = nullptr,
+             const NearestLanes& nearest = {});
 
   /// The cells of row v; they stand until the next call.
   Row row(std::uint32_t v);
@@ -81,6 +92,13 @@ public:
 
 private:
   void applyRule(std::uint32_t v, std::uint32_t count);
+  /// @return the cell of a point by the rule
+  std::uint32_t cellByRule(const Eigen::Vector3f& point, std::uint32_t cell, std::size_t lane);
+  /// What the kernel keeps: where there is a rule, it does not know what stands.
+  NearestLanes nearestOfKernel(std::size_t first = 0) const
+  {
+    return rule_ != nullptr || nearest_.squared == nullptr ? NearestLanes{} : nearest_.from(first);
+  }
   std::uint32_t cloudRow(std::uint32_t v);
   std::uint32_t depthRow(std::uint32_t v);
 
@@ -89,6 +107,7 @@ private:
   PointView points_;
   CellTransform transform_{};
   const StandingRule* rule_ = nullptr;
+  NearestLanes nearest_{};
   float unit_ = 1.0F;                 // [m] of the numbers in a depth image
   std::vector<float> column_shares_;  // of the height, the column and the row, one after the other
   std::vector<std::uint8_t> packed_;  // pixels that the kernel cannot take from where they lie

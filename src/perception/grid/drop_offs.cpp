@@ -23,10 +23,8 @@ void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_f
       // Written so that NaN and infinity fail.
       if (!(depth_below > drop + kPerMetre * ray.norm() && depth_below < 1e3F)) continue;
       const Eigen::Vector3f crossing = camera + ray * (-camera.z() / ray.z());
-      const double i = (crossing.x() - geometry.origin_x) / geometry.resolution;
-      const double j = (crossing.y() - geometry.origin_y) / geometry.resolution;
-      if (!(i >= 0.0 && i < geometry.cells_x && j >= 0.0 && j < geometry.cells_y)) continue;
-      occupancy.set(static_cast<int>(i), static_cast<int>(j));
+      const auto cell = geometry.cellOf(crossing.x(), crossing.y());
+      if (cell) occupancy.row(0)[*cell] = 1;
     }
   }
 }

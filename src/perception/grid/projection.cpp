@@ -5,6 +5,7 @@
 
 #include "perception/grid/cell_scanner.hpp"
 #include "perception/grid/floor_gaps.hpp"
+#include "perception/grid/nearest_standing.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -29,6 +30,7 @@ CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridG
   transform.lowest = static_cast<float>(parameters.min_height - origin.z());
   transform.highest = static_cast<float>(parameters.max_height - origin.z());
   transform.standing = transform.lowest;
+  transform.metres_per_cell = static_cast<float>(geometry.resolution);
   transform.columns = static_cast<float>(geometry.cells_x);
   transform.rows = static_cast<float>(geometry.cells_y);
   return transform;
@@ -88,11 +90,13 @@ Projection& Projection::operator=(Projection&& other) noexcept = default;
 Projection::~Projection() = default;
 
 void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy, const HeightRules& rules, ObservedCells* observed)
+                         BinaryGrid& occupancy, const HeightRules& rules, const Observation& wanted)
 {
-  begin(points, to_floor_frame, occupancy.geometry(), rules, observed != nullptr);
-  if (observed != nullptr) {
-    markLayers(points.height(), occupancy, *observed);
+  if (wanted.nearest != nullptr)
+    wanted.nearest->countIn(parameters_.min_points_per_cell > 1 ? &occupancy : nullptr);
+  begin(points, to_floor_frame, occupancy.geometry(), rules, wanted);
+  if (wanted.cells != nullptr) {
+    markLayers(points.height(), occupancy, wanted);
   } else if (parameters_.min_points_per_cell <= 1) {
     markAny(points.height(), occupancy);
   } else {
@@ -101,18 +105,21 @@ void Projection::project(const PointView& points, const Eigen::Isometry3d& to_fl
 }
 
 void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                       const GridGeometry& geometry, const HeightRules& rules, bool with_floor)
+                       const GridGeometry& geometry, const HeightRules& rules, const Observation& wanted)
 {
   CellTransform transform = cellTransform(to_floor_frame, geometry, parameters_);
-  if (with_floor) addLayers(geometry, parameters_, transform);
+  NearestLanes nearest{};
+  if (wanted.nearest != nullptr) nearest = wanted.nearest->begin(workspace_->scanner.kernel(), points);
+  if (wanted.cells != nullptr) addLayers(geometry, parameters_, transform);
   if (rules.ground != nullptr) {
     transform.lowest += rules.ground->lowest();
     transform.standing += rules.ground->lowest();
     transform.highest += rules.ground->highest();
   }
   const bool asks_noise = rules.noise != nullptr && parameters_.height_sigmas > 0.0;
-  if (!asks_noise && rules.ground == nullptr) {
-    workspace_->scanner.begin(points, transform, nullptr);
+  const bool asks_places = points.leavesOut() && wanted.nearest != nullptr;
+  if (!asks_noise && !asks_places && rules.ground == nullptr) {
+    workspace_->scanner.begin(points, transform, nullptr, nearest);
     return;
   }
   workspace_->rule = {to_floor_frame.cast<float>(),
@@ -123,7 +130,7 @@ void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floo
                       static_cast<float>(parameters_.height_sigmas),
                       transform.slabs_per_metre,
                       transform.last_slab};
-  workspace_->scanner.begin(points, transform, &workspace_->rule);
+  workspace_->scanner.begin(points, transform, &workspace_->rule, nearest);
 }
 
 void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
@@ -141,8 +148,9 @@ void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
   std::copy_n(marks + 1, cells, occupancy.row(0));
 }
 
-void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedCells& observed)
+void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Observation& wanted)
 {
+  ObservedCells& observed = *wanted.cells;
   constexpr std::size_t kLayers = 1 + ObservedCells::kSlabs;
   const GridGeometry& geometry = occupancy.geometry();
   const std::size_t cells = geometry.size();
@@ -165,6 +173,7 @@ void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedC
       next_floor = v + 1 + workspace_->gaps.rowsAlike();
     }
     if (counts_points) countPoints(row, cells, parameters_.min_points_per_cell, workspace_->counts.data());
+    if (wanted.nearest != nullptr) wanted.nearest->endRow(v);
   }
   observed.floor.assign(marks + 1, marks + 1 + cells);
   observed.hit.assign(cells, 0);
@@ -178,6 +187,7 @@ void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedC
     if (counts_points && workspace_->counts[cell] < parameters_.min_points_per_cell) observed.hit[cell] = 0;
     occupied[cell] = observed.hit[cell] != 0 ? 1 : 0;
   }
+  if (wanted.nearest != nullptr) wanted.nearest->finish();
 }
 
 void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
@@ -209,7 +219,7 @@ void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_fl
 {
   standing.clear();
   CellScanner& scanner = workspace_->scanner;
-  begin(points, to_floor_frame, geometry, rules, false);
+  begin(points, to_floor_frame, geometry, rules, {});
   const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
   for (std::uint32_t v = 0; v < points.height(); ++v) {
     for (const CellBlock& block : scanner.row(v)) {

@@ -6,6 +6,9 @@
 
 namespace polygonal_perception::perception {
 
+/// Pixels that a kernel takes at a time.
+constexpr std::uint32_t kBlock = 32;
+
 /// From a point (x, y, z) of the input's frame to its height and its place in the grid:
 ///
 ///     height = height.x x + height.y y + height.z z
@@ -32,6 +35,8 @@ struct CellTransform
   float column_offset, row_offset;
   float lowest, highest;  ///< [m]
   float standing, slabs_per_metre, last_slab;
+  float metres_per_cell;
+  std::int32_t beside;      ///< -1: what is beside the grid is in the cell kBeside; 0: in none
   std::int32_t layer_size;  ///< by which the numbers of the cells of two layers differ; 0: one layer
   float columns, rows;      ///< size of the grid
   float nearest_squared, farthest_squared;  ///< [m^2] of the ranges at which points lie
@@ -55,8 +60,8 @@ struct DepthRow
   float height, column, row, square;  ///< the share of the image row
 };
 
-/// Pixels that a kernel takes at a time.
-constexpr std::uint32_t kBlock = 32;
+/// The cell of what is beside the grid.
+constexpr std::uint32_t kBeside = 0xFFFFFFFF;
 
 /// The cells in which the pixels of a block stand.
 struct alignas(64) CellBlock
@@ -66,20 +71,55 @@ struct alignas(64) CellBlock
   std::uint32_t first;  ///< the block's first pixel
 };
 
+/// The nearest of the points above the floor that each lane has held, in the grid or beside it: an entry for each pixel of
+/// a row, in the order of the kernel's lanes.
+struct NearestLanes
+{
+  float* squared;  ///< [m^2] of its distance from the sensor along the floor; infinite: none
+  float* x;        ///< [m] from the sensor
+  float* y;
+  float* height;          ///< [m] from the sensor's
+  std::uint8_t* changed;  ///< an entry a block: set to 1 where a nearer point was found
+
+  /// From the first pixel of a block on.
+  NearestLanes from(std::size_t first) const
+  {
+    return {squared + first, x + first, y + first, height + first, changed + first / kBlock};
+  }
+};
+
+/// In which bin of directions points lie, and whether they are so high that no point of the floor could be seen there.
+struct BinRule
+{
+  float first;  ///< [rad] where the first bin begins
+  float bins_per_radian;
+  float count;
+  float sensor_height;                                  ///< [m] above the floor
+  float sigmas;                                         ///< so many standard deviations is a point higher
+  float noise_constant, noise_linear, noise_quadratic;  ///< of the sensor
+  float floor_covariance[6];  ///< of the height of the floor: xx, 2 xy, 2 x, yy, 2 y, 1
+};
+
 /// The inner loop of the package: in which cells do the points of a row of pixels stand? There is a kernel
 /// for each width of the processors' vector registers, all compiled from one source.
 ///
 /// Each function takes `count` pixels, a multiple of kBlock, and writes a CellBlock for every block of which
-/// a pixel has the right height. It returns how many.
+/// a pixel has the right height. It returns how many. Unless squared is null, it keeps the nearest points.
 struct ProjectionKernel
 {
   const char* name;
 
   /// Points 16 bytes apart that begin with x, y, z; what the fourth number is does not matter.
   std::uint32_t (*cloud)(const std::uint8_t* points, std::uint32_t count, const CellTransform&,
-                         CellBlock* blocks);
-  std::uint32_t (*units)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks);
-  std::uint32_t (*metres)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks);
+                         CellBlock* blocks, NearestLanes nearest);
+  std::uint32_t (*units)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks,
+                         NearestLanes nearest);
+  std::uint32_t (*metres)(const DepthRow&, std::uint32_t count, const CellTransform&, CellBlock* blocks,
+                          NearestLanes nearest);
+
+  /// The bins of points (x, y, height) in the floor frame [m]; -1: none. Room is for a multiple of kBlock.
+  void (*bins)(const BinRule&, const float* x, const float* y, const float* height, std::size_t count,
+               std::int32_t* bins);
 
   /// Which pixel of a block each lane holds: pixels are taken in the order that is cheapest to load.
   std::uint8_t cloud_pixel[kBlock];

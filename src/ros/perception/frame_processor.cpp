@@ -86,7 +86,8 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
   const auto start = ros_common::FrameStatistics::Clock::now();
   // First, so that it is there when somebody places the rest by it.
   if (owns_floor_frame) broadcast(header);
-  FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters(), {}};
+  FrameResult result{header, *points, pipeline_.result(), pipeline_.parameters(), parameters_.floor_frame,
+                     {}};
   if (transforms.missing_output.empty()) result.output = outputPose(transforms.input_to_output);
   outputs_.publish(result);
   if (transforms.missing().empty()) {
@@ -101,7 +102,7 @@ perception::Products FrameProcessor::neededProducts(const FrameTransforms& trans
 {
   // tf to the floor frame, and the diagnostics, want a floor in any case.
   const perception::Products needs = outputs_.needs() | perception::Product::kFloor;
-  return transforms.missing_output.empty() ? needs : needs.inInputFrame();
+  return transforms.missing_output.empty() ? needs : needs.withoutOutputFrame();
 }
 
 void FrameProcessor::runPipeline(const std_msgs::Header& header, const perception::PointView& points,

@@ -171,4 +171,19 @@ ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perceptio
   return message;
 }
 
+sensor_msgs::LaserScanPtr toLaserScan(const std_msgs::Header& header, const perception::LevelScan& scan)
+{
+  auto message = boost::make_shared<sensor_msgs::LaserScan>();
+  message->header = header;
+  const perception::BearingBins& bins = scan.bins;
+  message->angle_min = static_cast<float>(bins.first);
+  message->angle_max = static_cast<float>(bins.bearing(bins.count - 1));
+  message->angle_increment = static_cast<float>(bins.increment);
+  // What stands under the camera is a range, too.
+  message->range_min = 0.0F;
+  message->range_max = static_cast<float>(scan.range_max);
+  message->ranges = scan.ranges;
+  return message;
+}
+
 }  // namespace polygonal_perception::ros_perception

@@ -5,6 +5,7 @@
 #include <polygonal_perception/FloorPlane.h>
 #include <polygonal_perception/ObservedCells.h>
 #include <polygonal_perception/PlaneArray.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Header.h>
 
 #include <Eigen/Geometry>
@@ -14,6 +15,7 @@
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/observed_cells.hpp"
+#include "polygonal_perception/perception/scan/level_scan.hpp"
 #include "polygonal_perception/perception/segmentation/segmented_planes.hpp"
 
 /// The results of a frame as messages. Every function makes a new message that nobody touches any more:
@@ -55,6 +57,11 @@ ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perceptio
                                  const perception::GridGeometry& geometry,
                                  const perception::ObservedCells& observed, double slab_height,
                                  const Eigen::Isometry2d& output_pose);
+
+/// All rays of a scan are of one moment: the input's stamp.
+///
+/// @param header  stamp of the input, floor frame
+sensor_msgs::LaserScanPtr toLaserScan(const std_msgs::Header& header, const perception::LevelScan& scan);
 
 /// The grid where there is no floor: every cell is unknown, -1.
 nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,

@@ -76,6 +76,12 @@ ObservedCellsPtr observedCells(const FrameResult& frame)
                          frame.parameters.projection.slabHeight(), frame.output->pose);
 }
 
+sensor_msgs::LaserScanPtr scan(const FrameResult& frame)
+{
+  if (frame.result.scan.ranges.empty()) return nullptr;
+  return toLaserScan(frame.floorHeader(), frame.result.scan);
+}
+
 nav_msgs::OccupancyGridPtr inflatedGrid(const FrameResult& frame)
 {
   return toGrid(frame, Product::kInflation, frame.result.inflated);
@@ -128,6 +134,7 @@ void addOutputs(Outputs& outputs)
   outputs.add<nav_msgs::OccupancyGrid>("occupancy_grid", Product::kOccupancy, occupancyGrid);
   outputs.add<nav_msgs::OccupancyGrid>("observed_grid", Product::kObserved, observedGrid);
   outputs.add<ObservedCells>("observed_cells", Product::kLookedThrough, observedCells);
+  outputs.add<sensor_msgs::LaserScan>("scan", Product::kScan, scan);
   outputs.add<nav_msgs::OccupancyGrid>("inflated_grid", Product::kInflation, inflatedGrid);
   outputs.add<PolygonArray>("polygons", Product::kPolygons, polygons);
   outputs.add<visualization_msgs::MarkerArray>("markers", Products{Product::kPolygons, Product::kFloorHull},

@@ -23,7 +23,7 @@ ObservedCells observe(const std::vector<test::PackedPoint>& column, std::uint32_
   BinaryGrid occupancy{kGrid};
   Projection(Projection::Parameters{})
       .project(PointView::points(column.data(), width, static_cast<std::uint32_t>(column.size()) / width),
-               Eigen::Isometry3d::Identity(), occupancy, {}, &observed);
+               Eigen::Isometry3d::Identity(), occupancy, {}, {&observed});
   return observed;
 }
 

@@ -145,7 +145,7 @@ TEST(GroundMap, WithWhatIsObservedTheSameStandsAndTheRampIsSeen)
   BinaryGrid with_observed(kGrid);
   ObservedCells observed;
   projection.project(view, Eigen::Isometry3d::Identity(), plain, {nullptr, &map});
-  projection.project(view, Eigen::Isometry3d::Identity(), with_observed, {nullptr, &map}, &observed);
+  projection.project(view, Eigen::Isometry3d::Identity(), with_observed, {nullptr, &map}, {&observed});
   EXPECT_EQ(plain.count(), 80U);
   EXPECT_EQ(with_observed.cells(), plain.cells());
   for (int i = 8; i < 68; ++i)

@@ -91,7 +91,7 @@ TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
     parameters.min_height = std::uniform_real_distribution<>(-0.1, 0.3)(random);
     parameters.max_height = parameters.min_height + std::uniform_real_distribution<>(0.1, 1.0)(random);
     ObservedCells observed;
-    Projection(parameters, kernel()).project(view, to_floor, grid, {}, &observed);
+    Projection(parameters, kernel()).project(view, to_floor, grid, {}, {&observed});
 
     const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
     std::vector<std::uint8_t> floor(grid.geometry().size(), 0);
@@ -140,7 +140,7 @@ TEST_P(EveryKernel, ACellWithTooFewPointsHasNoHits)
     BinaryGrid with_layers(geometry);
     ObservedCells observed;
     Projection(parameters, kernel()).project(frame.view(), to_floor, plain);
-    Projection(parameters, kernel()).project(frame.view(), to_floor, with_layers, {}, &observed);
+    Projection(parameters, kernel()).project(frame.view(), to_floor, with_layers, {}, {&observed});
     ASSERT_EQ(with_layers.cells(), plain.cells()) << "trial " << trial;
     for (std::size_t cell = 0; cell < geometry.size(); ++cell)
       ASSERT_EQ(observed.hit[cell] != 0, plain.cells()[cell] != 0) << "trial " << trial;

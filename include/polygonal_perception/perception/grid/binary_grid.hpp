@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
@@ -54,6 +55,15 @@ struct POLYGONAL_PERCEPTION_EXPORT GridGeometry
   {
     const Eigen::Vector2d low(origin_x, origin_y);
     return {low, low + resolution * Eigen::Vector2d(cells_x, cells_y)};
+  }
+  /// The row-major index of the cell of a place in the floor frame [m]; nothing beside the grid.
+  std::optional<std::size_t> cellOf(double x, double y) const
+  {
+    const double i = (x - origin_x) / resolution;
+    const double j = (y - origin_y) / resolution;
+    // Written so that NaN fails.
+    if (!(i >= 0.0 && i < cells_x && j >= 0.0 && j < cells_y)) return std::nullopt;
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_x) + static_cast<std::size_t>(i);
   }
   bool operator==(const GridGeometry& other) const
   {

@@ -14,6 +14,7 @@
 
 namespace polygonal_perception::perception {
 
+class NearestStanding;
 struct ProjectionKernel;
 
 /// What else decides whether a point stands on the ground; null: not asked.
@@ -21,6 +22,16 @@ struct HeightRules
 {
   const HeightNoise* noise = nullptr;  ///< for height_sigmas; none: heights are exact
   const GroundMap* ground = nullptr;   ///< that heights count from; none: the floor
+};
+
+/// What else is wanted of a frame as it is projected; null: not wanted.
+struct Observation
+{
+  /// Its floor is where points less than min_height above the ground or below it were seen, and between two that are
+  /// neighbours in a column of the image and lie at most three cells apart; its hits are in occupied cells.
+  ObservedCells* cells = nullptr;
+  /// In all directions, in the grid and beyond it (with min_points_per_cell > 1 in the grid alone). Only with cells.
+  NearestStanding* nearest = nullptr;
 };
 
 /// Transforms every point of a frame into the floor frame and marks the cells of the grid in which something
@@ -72,11 +83,8 @@ public:
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew
-  /// @param observed        null: not wanted. Its floor is where points less than min_height above the ground or below
-  ///                        it were seen, and between two that are neighbours in a column of the image and lie at most
-  ///                        three cells apart; its hits are in occupied cells.
   void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-               const HeightRules& rules = {}, ObservedCells* observed = nullptr);
+               const HeightRules& rules = {}, const Observation& wanted = {});
 
   /// Collects the points that stand in a grid, however few there are in a cell.
   /// @param geometry  of the grid
@@ -88,9 +96,9 @@ private:
   struct Workspace;
 
   void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-             const HeightRules& rules, bool with_floor);
+             const HeightRules& rules, const Observation& wanted);
   void markAny(std::uint32_t rows, BinaryGrid& occupancy);
-  void markLayers(std::uint32_t rows, BinaryGrid& occupancy, ObservedCells& observed);
+  void markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Observation& wanted);
   void markMany(std::uint32_t rows, BinaryGrid& occupancy);
 
   Parameters parameters_;
