@@ -223,6 +223,8 @@ TEST(ShippedConfigurations, AreTakenWhole)
 {
   int count = 0;
   for (const auto& file : std::filesystem::directory_iterator(CONFIG_FOLDER)) {
+    // test/navigation has those of costmap_2d.
+    if (file.path().stem().string().rfind("costmap_", 0) == 0) continue;
     const ros::NodeHandle handle("/configurations/" + file.path().stem().string());
     ASSERT_EQ(std::system(("rosparam load " + file.path().string() + " " + handle.getNamespace()).c_str()),
               0);
