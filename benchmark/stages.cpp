@@ -109,7 +109,7 @@ void projectionOf(benchmark::State& state, Input input, Surroundings surrounding
   const CameraFrame& frame = frameOf(surroundings, size);
   const perception::PointView points = frame.view(input);
   const Eigen::Isometry3d to_floor = toFloorFrame(frame);
-  perception::BinaryGrid grid{perception::GridGeometry(perception::GridParameters{})};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
   for (auto _ : state) projection.project(points, to_floor, grid);
   countPixels(state, size);
 }
@@ -122,14 +122,14 @@ void collectionOf(benchmark::State& state, Input input)
   const Eigen::Isometry3d to_floor = toFloorFrame(frame);
   std::vector<Eigen::Vector3f> standing;
   for (auto _ : state)
-    projection.collect(points, to_floor, perception::GridGeometry(perception::GridParameters{}), standing);
+    projection.collect(points, to_floor, occupancy::GridGeometry(occupancy::GridParameters{}), standing);
   state.counters["points"] = static_cast<double>(standing.size());
 }
 
 /// The office's occupied cells.
-perception::BinaryGrid occupancyOf(const CameraFrame& frame)
+occupancy::BinaryGrid occupancyOf(const CameraFrame& frame)
 {
-  perception::BinaryGrid grid{perception::GridGeometry(perception::GridParameters{})};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
   perception::Projection(perception::Projection::Parameters{})
       .project(frame.view(Input::kCloud16), toFloorFrame(frame), grid);
   return grid;
@@ -137,19 +137,19 @@ perception::BinaryGrid occupancyOf(const CameraFrame& frame)
 
 void inflationOf(benchmark::State& state)
 {
-  const perception::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
-  perception::Inflation inflation{perception::Inflation::Parameters{}};
-  perception::BinaryGrid inflated(occupancy.geometry());
+  const occupancy::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
+  occupancy::Inflation inflation{occupancy::Inflation::Parameters{}};
+  occupancy::BinaryGrid inflated(occupancy.geometry());
   for (auto _ : state) inflation.inflate(occupancy, inflated);
 }
 
 void polygonsOf(benchmark::State& state)
 {
-  const perception::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
-  const perception::Inflation::Parameters inflation;
-  perception::BinaryGrid inflated(occupancy.geometry());
-  perception::Inflation(inflation).inflate(occupancy, inflated);
-  perception::Polygonizer polygonizer{perception::Polygonizer::Parameters{}};
+  const occupancy::BinaryGrid occupancy = occupancyOf(frameOf(Surroundings::kOffice, kVga));
+  const occupancy::Inflation::Parameters inflation;
+  occupancy::BinaryGrid inflated(occupancy.geometry());
+  occupancy::Inflation(inflation).inflate(occupancy, inflated);
+  occupancy::Polygonizer polygonizer{occupancy::Polygonizer::Parameters{}};
   geometry::PolygonSet polygons;
   for (auto _ : state) polygonizer.polygonize(occupancy, inflated, inflation.robot_radius, polygons);
   state.counters["vertices"] = static_cast<double>(polygons.vertices.size());

@@ -89,7 +89,7 @@ cv::Mat3b drawCourseFrame(const reference::CourseRun& run, const std::string& ti
       picture(v, columns + u) = {shade, shade, shade};
     }
   }
-  const perception::BinaryGrid& grid = run.result().occupancy;
+  const occupancy::BinaryGrid& grid = run.result().occupancy;
   const double scale = static_cast<double>(rows) / std::max(grid.cellsX(), grid.cellsY());
   for (int j = 0; j < grid.cellsY(); ++j) {
     for (int i = 0; i < grid.cellsX(); ++i) {

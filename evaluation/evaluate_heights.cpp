@@ -89,7 +89,7 @@ double falseCells(const SensorNoise& sensor, double sigmas, int patch)
   perception::Projection::Parameters parameters;
   parameters.height_sigmas = sigmas;
   perception::Projection projection(parameters);
-  perception::BinaryGrid grid{perception::GridGeometry(perception::GridParameters{})};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
   const geometry::Plane floor = cameraFloor();
   const perception::HeightNoise noise(sensor, floor, Eigen::Matrix4d::Zero());
   std::size_t cells = 0;

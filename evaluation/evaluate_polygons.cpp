@@ -15,16 +15,16 @@
 #include "polygon_methods.hpp"
 #include "polygon_picture.hpp"
 #include "polygon_score.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 #include "reference/error_statistics.hpp"
 #include "steadiness_table.hpp"
 
 namespace polygonal_perception::evaluation {
 namespace {
 
-const double kRadius = perception::Inflation::Parameters{}.robot_radius;
-const double kTolerance = perception::Polygonizer::Parameters{}.simplification_tolerance;
+const double kRadius = occupancy::Inflation::Parameters{}.robot_radius;
+const double kTolerance = occupancy::Polygonizer::Parameters{}.simplification_tolerance;
 constexpr int kTurns = 9;
 
 struct Options
@@ -70,10 +70,10 @@ void compareInflation(const std::vector<OccupancySet>& sets)
   std::vector<std::size_t> missing(methods.size());
   std::vector<std::size_t> extra(methods.size());
   std::vector<std::vector<double>> times(methods.size());
-  perception::BinaryGrid inflated;
+  occupancy::BinaryGrid inflated;
   for (const OccupancySet& set : sets) {
-    for (const perception::BinaryGrid& grid : set.grids) {
-      perception::BinaryGrid expected;
+    for (const occupancy::BinaryGrid& grid : set.grids) {
+      occupancy::BinaryGrid expected;
       methods.front()->inflate(grid, expected);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         methods[m]->inflate(grid, inflated);
@@ -102,7 +102,7 @@ void comparePolygons(const std::vector<OccupancySet>& sets)
   geometry::PolygonSet polygons;
   for (const OccupancySet& set : sets) {
     std::vector<PolygonScore> scores(methods.size());
-    for (const perception::BinaryGrid& grid : set.grids) {
+    for (const occupancy::BinaryGrid& grid : set.grids) {
       const PolygonTask task = makePolygonTask(grid, kRadius, kTolerance);
       const PolygonReference reference = makePolygonReference(task);
       const auto medians =
@@ -139,7 +139,7 @@ void compareTimes(const std::vector<OccupancySet>& sets)
   for (const OccupancySet& set : sets) {
     std::vector<double> times[2];
     std::vector<double> ratios;
-    for (const perception::BinaryGrid& grid : set.grids) {
+    for (const occupancy::BinaryGrid& grid : set.grids) {
       PolygonTask task = makePolygonTask(grid, kRadius, kTolerance);
       const auto medians = mediansOf(ways, [&](Way& way) {
         way.inflation.inflate(task.occupancy, task.inflated);

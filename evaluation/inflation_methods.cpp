@@ -4,19 +4,19 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "polygonal_perception/perception/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
 
 namespace polygonal_perception::evaluation {
 namespace {
 
 /// The cells of a grid as an image, without a copy.
-cv::Mat1b imageOf(perception::BinaryGrid& grid)
+cv::Mat1b imageOf(occupancy::BinaryGrid& grid)
 {
   return cv::Mat1b(grid.cellsY(), grid.cellsX(), grid.row(0));
 }
-cv::Mat1b imageOf(const perception::BinaryGrid& grid)
+cv::Mat1b imageOf(const occupancy::BinaryGrid& grid)
 {
-  return imageOf(const_cast<perception::BinaryGrid&>(grid));
+  return imageOf(const_cast<occupancy::BinaryGrid&>(grid));
 }
 
 class BitWords : public InflationMethod
@@ -24,13 +24,13 @@ class BitWords : public InflationMethod
 public:
   explicit BitWords(double robot_radius) : inflation_({robot_radius}) {}
   std::string name() const override { return "bit words (this package)"; }
-  void inflate(const perception::BinaryGrid& occupancy, perception::BinaryGrid& inflated) override
+  void inflate(const occupancy::BinaryGrid& occupancy, occupancy::BinaryGrid& inflated) override
   {
     inflation_.inflate(occupancy, inflated);
   }
 
 private:
-  perception::Inflation inflation_;
+  occupancy::Inflation inflation_;
 };
 
 class Dilation : public InflationMethod
@@ -38,7 +38,7 @@ class Dilation : public InflationMethod
 public:
   Dilation(std::string name, cv::Mat1b kernel) : name_(std::move(name)), kernel_(std::move(kernel)) {}
   std::string name() const override { return name_; }
-  void inflate(const perception::BinaryGrid& occupancy, perception::BinaryGrid& inflated) override
+  void inflate(const occupancy::BinaryGrid& occupancy, occupancy::BinaryGrid& inflated) override
   {
     inflated.reset(occupancy.geometry());
     cv::Mat1b to = imageOf(inflated);
@@ -56,7 +56,7 @@ class DistanceTransform : public InflationMethod
 public:
   explicit DistanceTransform(double radius) : radius_(radius) {}
   std::string name() const override { return "cv::distanceTransform, precise"; }
-  void inflate(const perception::BinaryGrid& occupancy, perception::BinaryGrid& inflated) override
+  void inflate(const occupancy::BinaryGrid& occupancy, occupancy::BinaryGrid& inflated) override
   {
     inflated.reset(occupancy.geometry());
     cv::dilate(imageOf(occupancy), free_, cv::Mat1b::ones(3, 3));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::evaluation {
 
@@ -14,7 +14,7 @@ class InflationMethod
 public:
   virtual ~InflationMethod() = default;
   virtual std::string name() const = 0;
-  virtual void inflate(const perception::BinaryGrid& occupancy, perception::BinaryGrid& inflated) = 0;
+  virtual void inflate(const occupancy::BinaryGrid& occupancy, occupancy::BinaryGrid& inflated) = 0;
 };
 
 /// This package, two others that give the same cells, and the paper's, which does not.

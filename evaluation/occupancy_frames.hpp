@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::evaluation {
 
@@ -11,7 +11,7 @@ namespace polygonal_perception::evaluation {
 struct OccupancySet
 {
   std::string name;
-  std::vector<perception::BinaryGrid> grids;
+  std::vector<occupancy::BinaryGrid> grids;
 };
 
 /// Of a robot's drives through a scene, `drives` of them with a layout each.

@@ -3,30 +3,30 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/grid/bit_grid.hpp"
-#include "perception/polygons/outline_tracer.hpp"
-#include "perception/polygons/outlines.hpp"
 #include "polygonal_perception/geometry/measures.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/bit_grid.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/outline_tracer.hpp"
+#include "polygonal_perception/occupancy/polygons/outlines.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 
 namespace polygonal_perception::evaluation {
 namespace {
 
-geometry::PolygonSet traceOutlines(const perception::BinaryGrid& cells)
+geometry::PolygonSet traceOutlines(const occupancy::BinaryGrid& cells)
 {
-  perception::BitGrid bits;
+  occupancy::BitGrid bits;
   bits.pack(cells);
-  perception::Outlines outlines;
-  perception::OutlineTracer().trace(bits, outlines);
-  const perception::GridGeometry& geometry = cells.geometry();
+  occupancy::Outlines outlines;
+  occupancy::OutlineTracer().trace(bits, outlines);
+  const occupancy::GridGeometry& geometry = cells.geometry();
   const double unit = geometry.resolution / perception::kUnitsPerCell;
   geometry::PolygonSet polygons;
-  const auto add = [&](const perception::Outlines::Ring& ring) {
+  const auto add = [&](const occupancy::Outlines::Ring& ring) {
     std::vector<cv::Point2d> points;
     std::uint32_t vertex = ring.start;
     do {
-      const perception::LatticePoint at = outlines.vertices[vertex].at;
+      const occupancy::LatticePoint at = outlines.vertices[vertex].at;
       points.emplace_back(geometry.origin_x + at.x * unit, geometry.origin_y + at.y * unit);
       vertex = outlines.vertices[vertex].next;
     } while (vertex != ring.start);
@@ -35,7 +35,7 @@ geometry::PolygonSet traceOutlines(const perception::BinaryGrid& cells)
   for (std::size_t r = 0; r < outlines.rings.size(); ++r) {
     if (outlines.rings[r].hole) continue;
     add(outlines.rings[r]);
-    for (const perception::Outlines::Ring& hole : outlines.rings) {
+    for (const occupancy::Outlines::Ring& hole : outlines.rings) {
       if (hole.hole && hole.parent == r) add(hole);
     }
   }
@@ -49,12 +49,12 @@ public:
   void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
     if (polygonizer_.parameters().simplification_tolerance != task.tolerance)
-      polygonizer_ = perception::Polygonizer({task.tolerance});
+      polygonizer_ = occupancy::Polygonizer({task.tolerance});
     polygonizer_.polygonize(task.occupancy, task.inflated, task.robot_radius, polygons);
   }
 
 private:
-  perception::Polygonizer polygonizer_{perception::Polygonizer::Parameters{}};
+  occupancy::Polygonizer polygonizer_{occupancy::Polygonizer::Parameters{}};
 };
 
 class NotSimplified : public PolygonMethod
@@ -74,7 +74,7 @@ public:
   std::string name() const override { return "cv::approxPolyDP"; }
   void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
-    const perception::GridGeometry& geometry = task.inflated.geometry();
+    const occupancy::GridGeometry& geometry = task.inflated.geometry();
     const double unit = geometry.resolution / perception::kUnitsPerCell;
     polygons.clear();
     for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
@@ -103,7 +103,7 @@ public:
   std::string name() const override { return "paper: findContours, approxPolyDP"; }
   void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
-    const perception::GridGeometry& geometry = task.inflated.geometry();
+    const occupancy::GridGeometry& geometry = task.inflated.geometry();
     cells_.create(geometry.cells_y, geometry.cells_x);
     std::copy(task.inflated.cells().begin(), task.inflated.cells().end(), cells_.begin());
     cv::findContours(cells_, contours_, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
@@ -128,13 +128,13 @@ private:
 
 }  // namespace
 
-PolygonTask makePolygonTask(const perception::BinaryGrid& occupancy, double robot_radius, double tolerance)
+PolygonTask makePolygonTask(const occupancy::BinaryGrid& occupancy, double robot_radius, double tolerance)
 {
   PolygonTask task;
   task.occupancy = occupancy;
   task.robot_radius = robot_radius;
   task.tolerance = tolerance;
-  perception::Inflation({robot_radius}).inflate(occupancy, task.inflated);
+  occupancy::Inflation({robot_radius}).inflate(occupancy, task.inflated);
   task.outlines = traceOutlines(task.inflated);
   geometry::PolygonSet own;
   ThisPackage().polygonize(task, own);

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "polygonal_perception/geometry/polygon_set.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::evaluation {
 
 /// A frame's cells, to be turned into polygons.
 struct PolygonTask
 {
-  perception::BinaryGrid occupancy;
-  perception::BinaryGrid inflated;
+  occupancy::BinaryGrid occupancy;
+  occupancy::BinaryGrid inflated;
   geometry::PolygonSet
       outlines;         ///< of the inflated cells along their borders: what other methods start from
   double robot_radius;  ///< [m]
@@ -22,7 +22,7 @@ struct PolygonTask
 };
 
 /// @return the task of inflating and outlining a grid
-PolygonTask makePolygonTask(const perception::BinaryGrid& occupancy, double robot_radius, double tolerance);
+PolygonTask makePolygonTask(const occupancy::BinaryGrid& occupancy, double robot_radius, double tolerance);
 
 /// A way from inflated cells to polygons.
 class PolygonMethod

@@ -9,8 +9,8 @@
 #include "inflation_methods.hpp"
 #include "occupancy_frames.hpp"
 #include "polygon_methods.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 
 namespace polygonal_perception::evaluation {
 namespace {
@@ -91,7 +91,7 @@ private:
   {
     return cv::Rect(picture_.cols - kCell * (j + 1), picture_.rows - kCell * (i + 1), kCell, kCell);
   }
-  void paint(const perception::BinaryGrid& cells, const cv::Scalar& colour)
+  void paint(const occupancy::BinaryGrid& cells, const cv::Scalar& colour)
   {
     for (int j = 0; j < geometry_.cells_y; ++j) {
       for (int i = 0; i < geometry_.cells_x; ++i) {
@@ -110,7 +110,7 @@ private:
     return points;
   }
 
-  perception::GridGeometry geometry_;
+  occupancy::GridGeometry geometry_;
   cv::Mat3b picture_;
   std::string title_;
 };
@@ -134,20 +134,20 @@ cv::Mat3b legend(int width)
 }
 
 /// The grid whose outlines have the most corners.
-const perception::BinaryGrid& mostVaried(const std::vector<perception::BinaryGrid>& grids)
+const occupancy::BinaryGrid& mostVaried(const std::vector<occupancy::BinaryGrid>& grids)
 {
-  const auto corners = [](const perception::BinaryGrid& grid) {
-    return makePolygonTask(grid, perception::Inflation::Parameters{}.robot_radius, 0.0)
+  const auto corners = [](const occupancy::BinaryGrid& grid) {
+    return makePolygonTask(grid, occupancy::Inflation::Parameters{}.robot_radius, 0.0)
         .outlines.vertices.size();
   };
   return *std::max_element(grids.begin(), grids.end(),
-                           [&](const perception::BinaryGrid& a, const perception::BinaryGrid& b) {
+                           [&](const occupancy::BinaryGrid& a, const occupancy::BinaryGrid& b) {
                              return corners(a) < corners(b);
                            });
 }
 
 /// The part of the picture that shows all inflated cells.
-cv::Range rowsOf(const perception::BinaryGrid& inflated)
+cv::Range rowsOf(const occupancy::BinaryGrid& inflated)
 {
   constexpr int kAround = 3;  // [cells]
   int first = inflated.cellsX();
@@ -174,8 +174,8 @@ const auto& paperOf(const std::vector<std::unique_ptr<PolygonMethod>>& methods)
 void drawBeforeAndAfter(const std::string& file)
 {
   const OccupancySet office = renderOccupancy("office", kDrives, kFrames);
-  const double radius = perception::Inflation::Parameters{}.robot_radius;
-  const double tolerance = perception::Polygonizer::Parameters{}.simplification_tolerance;
+  const double radius = occupancy::Inflation::Parameters{}.robot_radius;
+  const double tolerance = occupancy::Polygonizer::Parameters{}.simplification_tolerance;
   PolygonTask task = makePolygonTask(mostVaried(office.grids), radius, tolerance);
   const auto methods = makePolygonMethods();
   const auto inflations = makeInflationMethods(radius, task.occupancy.geometry().resolution);

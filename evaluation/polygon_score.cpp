@@ -23,10 +23,10 @@ reference::CellLength inCells(double metres, double resolution)
 }
 
 /// Counted on a raster that is finer than the grid.
-double areaWithin(double radius, const perception::BinaryGrid& occupancy)
+double areaWithin(double radius, const occupancy::BinaryGrid& occupancy)
 {
   constexpr int kFiner = 8;
-  const perception::GridGeometry& geometry = occupancy.geometry();
+  const occupancy::GridGeometry& geometry = occupancy.geometry();
   cv::Mat1b free(geometry.cells_y, geometry.cells_x);
   std::transform(occupancy.cells().begin(), occupancy.cells().end(), free.begin(),
                  [](std::uint8_t cell) { return cell == 0 ? 1 : 0; });

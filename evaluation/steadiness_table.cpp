@@ -17,7 +17,7 @@ constexpr int kMinPoints[] = {1, 2, 3, 5, 8};
 constexpr double kFar = 2.5;  // [m]
 constexpr std::uint64_t kViews = 3;
 
-bool anyNeighbourOccupied(const perception::BinaryGrid& grid, int i, int j)
+bool anyNeighbourOccupied(const occupancy::BinaryGrid& grid, int i, int j)
 {
   for (int y = std::max(0, j - 1); y <= std::min(grid.cellsY() - 1, j + 1); ++y) {
     for (int x = std::max(0, i - 1); x <= std::min(grid.cellsX() - 1, i + 1); ++x) {
@@ -31,9 +31,9 @@ bool anyNeighbourOccupied(const perception::BinaryGrid& grid, int i, int j)
 class Losses
 {
 public:
-  void add(const perception::BinaryGrid& truth, const perception::BinaryGrid& seen)
+  void add(const occupancy::BinaryGrid& truth, const occupancy::BinaryGrid& seen)
   {
-    const perception::GridGeometry& geometry = truth.geometry();
+    const occupancy::GridGeometry& geometry = truth.geometry();
     for (int j = 0; j < truth.cellsY(); ++j) {
       for (int i = 0; i < truth.cellsX(); ++i) {
         if (!truth.occupied(i, j)) continue;
@@ -103,7 +103,7 @@ struct Steadiness
 /// Of the same frames for each of kMinPoints.
 std::vector<Steadiness> measure(reference::StillView& view, int frames)
 {
-  const perception::BinaryGrid truth =
+  const occupancy::BinaryGrid truth =
       perception::Pipeline(perception::Pipeline::Parameters{}).process(view.ideal()).occupancy;
   std::vector<perception::Pipeline> pipelines;
   for (const int min_points : kMinPoints) {

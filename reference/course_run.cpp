@@ -9,7 +9,7 @@
 namespace polygonal_perception::reference {
 namespace {
 
-using perception::BinaryGrid;
+using occupancy::BinaryGrid;
 using simulation::Surface;
 
 simulation::SimulatedCamera::Options cameraOptions(const CourseRun::Options& options)
@@ -83,7 +83,7 @@ void CourseRun::rateFloor(CourseFrame& rating) const
 void CourseRun::findObstacles()
 {
   constexpr double kHeightMargin = 0.02;  // [m] of noise and of the floor's error
-  const perception::GridGeometry& grid = result().occupancy.geometry();
+  const occupancy::GridGeometry& grid = result().occupancy.geometry();
   const auto& heights = pipeline_.parameters().projection;
   const std::size_t columns = rays_.column_slope.size();
   possible_.assign(grid.size(), 0);
@@ -116,7 +116,7 @@ void CourseRun::rateCells(CourseFrame& rating) const
 {
   constexpr int kPlainly = 4;  // points in a cell
   const BinaryGrid& grid = result().occupancy;
-  const perception::GridGeometry& geometry = grid.geometry();
+  const occupancy::GridGeometry& geometry = grid.geometry();
   for (int j = 0; j < geometry.cells_y; ++j) {
     for (int i = 0; i < geometry.cells_x; ++i) {
       const double x = geometry.origin_x + (i + 0.5) * geometry.resolution;

@@ -6,7 +6,7 @@
 
 namespace polygonal_perception::reference {
 
-std::size_t verticesOfDouglasPeucker(const perception::BinaryGrid& cells, double tolerance, std::size_t least)
+std::size_t verticesOfDouglasPeucker(const occupancy::BinaryGrid& cells, double tolerance, std::size_t least)
 {
   // Older releases of OpenCV take the image's outermost pixels for free.
   cv::Mat1b image(cells.cellsY() + 2, cells.cellsX() + 2, std::uint8_t{0});

@@ -33,7 +33,7 @@ std::string at(std::int64_t x, std::int64_t y)
 
 }  // namespace
 
-PolygonChecker::PolygonChecker(const perception::BinaryGrid& occupancy, const geometry::PolygonSet& polygons,
+PolygonChecker::PolygonChecker(const occupancy::BinaryGrid& occupancy, const geometry::PolygonSet& polygons,
                                CellLength radius, CellLength limit)
     : grid_(occupancy),
       radius_(radius),
@@ -41,7 +41,7 @@ PolygonChecker::PolygonChecker(const perception::BinaryGrid& occupancy, const ge
       width_(kCell * occupancy.cellsX()),
       height_(kCell * occupancy.cellsY())
 {
-  const perception::GridGeometry& geometry = occupancy.geometry();
+  const occupancy::GridGeometry& geometry = occupancy.geometry();
   for (const geometry::PolygonSet::Ring& ring : polygons.rings) {
     Ring points;
     for (std::uint32_t k = ring.first; k < ring.first + ring.size; ++k) {

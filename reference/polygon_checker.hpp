@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "polygonal_perception/geometry/polygon_set.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::reference {
 
@@ -33,7 +33,7 @@ class PolygonChecker
 public:
   /// @param radius  robot_radius
   /// @param limit   robot_radius + 1.5 cells + simplification_tolerance
-  PolygonChecker(const perception::BinaryGrid& occupancy, const geometry::PolygonSet& polygons,
+  PolygonChecker(const occupancy::BinaryGrid& occupancy, const geometry::PolygonSet& polygons,
                  CellLength radius, CellLength limit);
 
   /// @return the first clause that is broken, and where; nothing when all hold
@@ -71,7 +71,7 @@ private:
   bool reachable(Point a, Point b, int depth) const;
   bool reachable(Point corner, std::int64_t side) const;
 
-  perception::BinaryGrid grid_;
+  occupancy::BinaryGrid grid_;
   CellLength radius_, limit_;
   std::int64_t width_, height_;  // of the grid, in 64ths of a cell
   std::vector<Ring> rings_;

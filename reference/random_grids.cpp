@@ -13,7 +13,7 @@ int between(int low, int high, std::mt19937& random)
   return std::uniform_int_distribution<int>(low, high)(random);
 }
 
-void noise(perception::BinaryGrid& grid, std::mt19937& random)
+void noise(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   const double density = std::uniform_real_distribution<double>(0.005, 0.95)(random);
   std::bernoulli_distribution occupied(density * density);
@@ -22,7 +22,7 @@ void noise(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void blobs(perception::BinaryGrid& grid, std::mt19937& random)
+void blobs(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   for (int n = between(1, 4, random); n > 0; --n) {
     const int x = between(0, grid.cellsX() - 1, random);
@@ -36,7 +36,7 @@ void blobs(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void lines(perception::BinaryGrid& grid, std::mt19937& random)
+void lines(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   for (int n = between(1, 3, random); n > 0; --n) {
     double x = between(0, grid.cellsX() - 1, random);
@@ -50,7 +50,7 @@ void lines(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void spiral(perception::BinaryGrid& grid, std::mt19937& random)
+void spiral(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   const int pitch = between(2, 4, random);
   int x = 0;
@@ -70,7 +70,7 @@ void spiral(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void checkerboard(perception::BinaryGrid& grid, std::mt19937& random)
+void checkerboard(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   const int side = between(1, 3, random);
   for (int j = 0; j < grid.cellsY(); ++j) {
@@ -78,7 +78,7 @@ void checkerboard(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void nestedRings(perception::BinaryGrid& grid, std::mt19937& random)
+void nestedRings(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   const int pitch = between(2, 5, random);
   for (int j = 0; j < grid.cellsY(); ++j) {
@@ -89,14 +89,14 @@ void nestedRings(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void singleCells(perception::BinaryGrid& grid, std::mt19937& random)
+void singleCells(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   for (int n = between(1, 3, random); n > 0; --n) {
     grid.set(between(0, grid.cellsX() - 1, random), between(0, grid.cellsY() - 1, random));
   }
 }
 
-void alongTheBorder(perception::BinaryGrid& grid, std::mt19937& random)
+void alongTheBorder(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   std::bernoulli_distribution occupied(0.5);
   for (int i = 0; i < grid.cellsX(); ++i) {
@@ -109,7 +109,7 @@ void alongTheBorder(perception::BinaryGrid& grid, std::mt19937& random)
   }
 }
 
-void full(perception::BinaryGrid& grid, std::mt19937& random)
+void full(occupancy::BinaryGrid& grid, std::mt19937& random)
 {
   for (int j = 0; j < grid.cellsY(); ++j) {
     for (int i = 0; i < grid.cellsX(); ++i) grid.set(i, j);
@@ -119,23 +119,23 @@ void full(perception::BinaryGrid& grid, std::mt19937& random)
 
 }  // namespace
 
-perception::BinaryGrid randomGrid(unsigned kind, int cells_x, int cells_y, double resolution,
-                                  std::mt19937& random)
+occupancy::BinaryGrid randomGrid(unsigned kind, int cells_x, int cells_y, double resolution,
+                                 std::mt19937& random)
 {
-  constexpr void (*kKinds[])(perception::BinaryGrid&, std::mt19937&) = {
+  constexpr void (*kKinds[])(occupancy::BinaryGrid&, std::mt19937&) = {
       noise, blobs,       lines,       noise,          spiral, checkerboard,
       noise, nestedRings, singleCells, alongTheBorder, full,   blobs};
-  perception::GridGeometry geometry;
+  occupancy::GridGeometry geometry;
   geometry.cells_x = cells_x;
   geometry.cells_y = cells_y;
   geometry.resolution = resolution;
   geometry.origin_y = -0.5 * cells_y * resolution;
-  perception::BinaryGrid grid(geometry);
+  occupancy::BinaryGrid grid(geometry);
   kKinds[kind % std::size(kKinds)](grid, random);
   return grid;
 }
 
-std::string toText(const perception::BinaryGrid& grid)
+std::string toText(const occupancy::BinaryGrid& grid)
 {
   std::string text;
   for (int j = grid.cellsY() - 1; j >= 0; --j) {

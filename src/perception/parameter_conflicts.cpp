@@ -10,7 +10,7 @@ namespace {
 /// Beyond this a frame would take seconds and hundreds of megabytes.
 constexpr double kMostCells = 4e6;
 
-std::optional<ParameterFault> findTooManyCells(const GridParameters& grid)
+std::optional<ParameterFault> findTooManyCells(const occupancy::GridParameters& grid)
 {
   const double cells =
       (grid.grid_length + grid.grid_behind) / grid.grid_resolution * (grid.grid_width / grid.grid_resolution);

@@ -113,7 +113,7 @@ const Pipeline::Result& Pipeline::process(const Frame& whole_frame, Products pro
 
 void Pipeline::clearResult(Products products)
 {
-  const GridGeometry geometry(parameters_.grid);
+  const occupancy::GridGeometry geometry(parameters_.grid);
   result_.products = products;
   result_.times = StageTimes{};
   result_.labels.clear();
@@ -217,8 +217,8 @@ void Pipeline::configure(const Parameters& parameters)
   drop_offs_ = DropOffs(parameters.drop_offs);
   look_through_ = LookThrough(parameters.detector.planes.noise);
   scanner_ = FloorScanner(parameters.scan);
-  inflation_ = Inflation(parameters.inflation);
-  polygonizer_ = Polygonizer(parameters.polygonizer);
+  inflation_ = occupancy::Inflation(parameters.inflation);
+  polygonizer_ = occupancy::Polygonizer(parameters.polygonizer);
 }
 
 }  // namespace polygonal_perception::perception

@@ -22,25 +22,25 @@ Room = collections.namedtuple('Room', 'folder namespace foreign knows')
 # from others, apart from the standard library's; ANY are ROS's, too.
 ANY = ['']
 BASE = ['geometry', 'parameters']
-MEASURED = BASE + ['perception', 'cameras/simulation', 'reference']
+MEASURED = BASE + ['occupancy', 'perception', 'cameras/simulation', 'reference']
 ROOMS = [
     Room('geometry', 'geometry', ['Eigen/'], []),
     Room('parameters', 'parameters', [], []),
+    Room('occupancy/grid', 'occupancy', ['Eigen/'], BASE),
+    Room('occupancy/polygons', 'occupancy', ['Eigen/'], BASE + ['occupancy/grid']),
     Room('perception/input', 'perception', ['Eigen/'], BASE),
     Room('perception/planes', 'perception', ['Eigen/'], BASE + ['perception/input']),
     Room('perception/floor', 'perception', ['Eigen/'], BASE + ['perception/input', 'perception/planes']),
-    Room('perception/grid', 'perception', ['Eigen/'], BASE + ['perception/input']),
-    Room('perception/scan', 'perception', ['Eigen/'], BASE + ['perception/input', 'perception/grid']),
-    Room('perception/polygons', 'perception', ['Eigen/'],
-         BASE + ['perception/input', 'perception/floor', 'perception/grid']),
+    Room('perception/grid', 'perception', ['Eigen/'], BASE + ['occupancy', 'perception/input']),
+    Room('perception/scan', 'perception', ['Eigen/'], BASE + ['occupancy', 'perception/input', 'perception/grid']),
     Room('perception/segmentation', 'perception', ['Eigen/'],
-         BASE + ['perception/' + room for room in ('input', 'planes', 'floor', 'grid', 'polygons')]),
-    Room('perception', 'perception', ['Eigen/'], BASE + ['perception']),
-    Room('mapping', 'mapping', ['Eigen/'], BASE),
+         BASE + ['occupancy'] + ['perception/' + room for room in ('input', 'planes', 'floor')]),
+    Room('perception', 'perception', ['Eigen/'], BASE + ['occupancy', 'perception']),
+    Room('mapping', 'mapping', ['Eigen/', 'nlohmann/'], BASE + ['occupancy']),
     Room('planning', 'planning', ['Eigen/'], BASE),
-    Room('ros/common', 'ros_common', ANY, BASE),
-    Room('ros/perception', 'ros_perception', ANY, BASE + ['ros/common', 'perception']),
-    Room('ros/mapping', 'ros_mapping', ANY, BASE + ['ros/common', 'mapping']),
+    Room('ros/common', 'ros_common', ANY, BASE + ['occupancy']),
+    Room('ros/perception', 'ros_perception', ANY, BASE + ['ros/common', 'occupancy', 'perception']),
+    Room('ros/mapping', 'ros_mapping', ANY, BASE + ['ros/common', 'occupancy', 'mapping']),
     Room('ros/planning', 'ros_planning', ANY, BASE + ['ros/common', 'planning']),
     Room('cameras/simulation', 'simulation', ['Eigen/', 'embree3/', 'embree4/'], BASE),
     Room('cameras/simulation_ros', 'simulation_ros', ANY, BASE + ['ros/common', 'cameras/simulation']),

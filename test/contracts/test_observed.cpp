@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  const perception::GridGeometry& grid() const { return result_.occupancy.geometry(); }
+  const occupancy::GridGeometry& grid() const { return result_.occupancy.geometry(); }
 
   /// The row-major index of the cell of a point of the floor frame, or -1.
   int cellOf(const Eigen::Vector3d& point) const

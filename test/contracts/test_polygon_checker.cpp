@@ -16,7 +16,7 @@ class PolygonCheckerTest : public ::testing::Test
 protected:
   PolygonCheckerTest()
   {
-    perception::GridGeometry geometry;
+    occupancy::GridGeometry geometry;
     geometry.cells_x = 9;
     geometry.cells_y = 9;
     geometry.resolution = 1.0;
@@ -43,7 +43,7 @@ protected:
     return {{low, low}, {high, low}, {high, high}, {low, high}};
   }
 
-  perception::BinaryGrid grid_;
+  occupancy::BinaryGrid grid_;
   geometry::PolygonSet polygons_;
 };
 

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 #include "reference/douglas_peucker.hpp"
 #include "reference/polygon_checker.hpp"
 #include "reference/random_grids.hpp"
@@ -29,24 +29,24 @@ struct Setting
 constexpr int kRadii[] = {0, 1000, 2200, 4500, 6000, 10400};
 constexpr int kTolerances[] = {0, 600, 1000, 3000};
 
-using Way = void (*)(const perception::BinaryGrid&, const Setting&, geometry::PolygonSet&,
-                     perception::BinaryGrid&);
+using Way = void (*)(const occupancy::BinaryGrid&, const Setting&, geometry::PolygonSet&,
+                     occupancy::BinaryGrid&);
 
-void thisPackage(const perception::BinaryGrid& occupancy, const Setting& setting,
-                 geometry::PolygonSet& polygons, perception::BinaryGrid& inflated)
+void thisPackage(const occupancy::BinaryGrid& occupancy, const Setting& setting,
+                 geometry::PolygonSet& polygons, occupancy::BinaryGrid& inflated)
 {
   const double radius = setting.radius * 0.001 * setting.resolution;
   inflated.reset(occupancy.geometry());
-  perception::Inflation({radius}).inflate(occupancy, inflated);
-  perception::Polygonizer({setting.tolerance * 0.001 * setting.resolution})
+  occupancy::Inflation({radius}).inflate(occupancy, inflated);
+  occupancy::Polygonizer({setting.tolerance * 0.001 * setting.resolution})
       .polygonize(occupancy, inflated, radius, polygons);
 }
 
 /// Section IV of the paper: vertices through the centres of dilated cells, simplified with Douglas-Peucker.
-void paper(const perception::BinaryGrid& occupancy, const Setting& setting, geometry::PolygonSet& polygons,
-           perception::BinaryGrid& inflated)
+void paper(const occupancy::BinaryGrid& occupancy, const Setting& setting, geometry::PolygonSet& polygons,
+           occupancy::BinaryGrid& inflated)
 {
-  const perception::GridGeometry& geometry = occupancy.geometry();
+  const occupancy::GridGeometry& geometry = occupancy.geometry();
   cv::Mat1b cells(geometry.cells_y, geometry.cells_x);
   std::copy(occupancy.cells().begin(), occupancy.cells().end(), cells.begin());
   const int reach = setting.radius / 1000;
@@ -69,16 +69,16 @@ void paper(const perception::BinaryGrid& occupancy, const Setting& setting, geom
   }
 }
 
-std::optional<std::string> faultOf(Way way, const perception::BinaryGrid& grid, const Setting& setting)
+std::optional<std::string> faultOf(Way way, const occupancy::BinaryGrid& grid, const Setting& setting)
 {
   geometry::PolygonSet polygons;
-  perception::BinaryGrid inflated;
+  occupancy::BinaryGrid inflated;
   way(grid, setting, polygons, inflated);
   return reference::PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
 }
 
 /// Frees cell after cell as long as the fault stays: what is left shows it best.
-perception::BinaryGrid shrunk(Way way, perception::BinaryGrid grid, const Setting& setting)
+occupancy::BinaryGrid shrunk(Way way, occupancy::BinaryGrid grid, const Setting& setting)
 {
   for (bool smaller = true; smaller;) {
     smaller = false;
@@ -111,18 +111,18 @@ void checkMany(unsigned grids, int smallest, int largest, std::uint32_t seed)
   std::size_t vertices = 0;
   std::size_t vertices_of_douglas_peucker = 0;
   geometry::PolygonSet polygons;
-  perception::BinaryGrid inflated;
+  occupancy::BinaryGrid inflated;
   for (unsigned n = 0; n < grids; ++n) {
     const Setting setting{kRadii[n % std::size(kRadii)],
                           kTolerances[n / std::size(kRadii) % std::size(kTolerances)],
                           n % 7 == 0 ? 0.1 : 0.05};
-    const perception::BinaryGrid grid =
+    const occupancy::BinaryGrid grid =
         reference::randomGrid(random(), side(random), side(random), setting.resolution, random);
     thisPackage(grid, setting, polygons, inflated);
     const auto fault =
         reference::PolygonChecker(grid, polygons, setting.radiusInCells(), setting.limitInCells()).fault();
     if (fault) {
-      const perception::BinaryGrid small = shrunk(thisPackage, grid, setting);
+      const occupancy::BinaryGrid small = shrunk(thisPackage, grid, setting);
       FAIL() << "grid " << n << ", radius " << 0.001 * setting.radius << " and tolerance "
              << 0.001 * setting.tolerance << " cells: " << *fault
              << "\nshrunk: " << *faultOf(thisPackage, small, setting) << "\n"
@@ -157,7 +157,7 @@ TEST(RandomPolygons, OfThePapersKindAreRejected)
   int tried = 0;
   for (unsigned n = 0; n < 200; ++n) {
     const Setting setting{kRadii[n % 6], kTolerances[n % 4], 0.05};
-    const perception::BinaryGrid grid = reference::randomGrid(random(), 24, 24, setting.resolution, random);
+    const occupancy::BinaryGrid grid = reference::randomGrid(random(), 24, 24, setting.resolution, random);
     if (grid.count() == 0) continue;
     ++tried;
     rejected += faultOf(paper, grid, setting) ? 1 : 0;

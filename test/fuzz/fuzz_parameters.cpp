@@ -81,7 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Larger ones are no different, and slow.
   constexpr std::size_t kMostCells = 5000;
   constexpr int kMostSamples = 3000;
-  if (perception::GridGeometry(parameters.grid).size() > kMostCells) return 0;
+  if (occupancy::GridGeometry(parameters.grid).size() > kMostCells) return 0;
   if (parameters.samples.samples_x * parameters.samples.samples_y > kMostSamples) return 0;
   pipeline.process({frame.view(), 0.0, {}}, kAllProducts);
   pipeline.configure(parameters);

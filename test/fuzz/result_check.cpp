@@ -46,7 +46,7 @@ void requireSound(const perception::Pipeline::Result& result,
   for (std::size_t k = 0; k < occupied.size(); ++k) {
     require(occupied[k] <= inflated[k], "an occupied cell is inflated");
   }
-  const perception::ObservedCells& observed = result.observed;
+  const occupancy::ObservedCells& observed = result.observed;
   require(observed.floor.size() == observed.hit.size(), "what is observed has one size");
   if (result.floor.status != perception::FloorStatus::kNotFound &&
       result.products.has(perception::Product::kLookedThrough))

@@ -3,8 +3,8 @@
 #include <random>
 
 #include "polygonal_perception/geometry/triangulation.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 
 namespace polygonal_perception::geometry {
 namespace {
@@ -154,18 +154,18 @@ class TriangulationOfGrids : public testing::TestWithParam<double>
 TEST_P(TriangulationOfGrids, CoversWhatThePolygonizerGives)
 {
   const double robot_radius = GetParam();
-  perception::GridParameters size;
+  occupancy::GridParameters size;
   size.grid_length = size.grid_width = 2.0;
-  perception::Polygonizer polygonizer(perception::Polygonizer::Parameters{});
-  perception::Inflation inflation(perception::Inflation::Parameters{robot_radius});
+  occupancy::Polygonizer polygonizer(occupancy::Polygonizer::Parameters{});
+  occupancy::Inflation inflation(occupancy::Inflation::Parameters{robot_radius});
   std::mt19937 random(7);
   for (int round = 0; round < 60; ++round) {
-    perception::BinaryGrid occupancy{perception::GridGeometry(size)};
+    occupancy::BinaryGrid occupancy{occupancy::GridGeometry(size)};
     std::bernoulli_distribution is_occupied(0.01 * (1 + round));
     for (int j = 0; j < occupancy.cellsY(); ++j) {
       for (int i = 0; i < occupancy.cellsX(); ++i) occupancy.set(i, j, is_occupied(random));
     }
-    perception::BinaryGrid inflated;
+    occupancy::BinaryGrid inflated;
     PolygonSet polygons;
     inflation.inflate(occupancy, inflated);
     polygonizer.polygonize(occupancy, inflated, robot_radius, polygons);

@@ -159,7 +159,7 @@ TEST_P(Allocations, OfTheProjectionAreNoneWhenPointsAreCountedOrCollected)
   Projection::Parameters parameters;
   parameters.min_points_per_cell = 3;
   Projection projection(parameters);
-  BinaryGrid grid{GridGeometry(GridParameters{})};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
   std::vector<Eigen::Vector3f> standing;
   const Eigen::Isometry3d to_floor = test::BoxScene().toFloorFrame();
   const auto [warming, warm] = count([&](const PointView& points) {

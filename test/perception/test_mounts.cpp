@@ -78,7 +78,7 @@ Seen look(const Mount& mount, const Eigen::Matrix3d* frame)
   seen.status = result.floor.status;
   seen.tilt = std::acos(std::min(1.0, result.floor.floor.plane.normal.dot(into * scene.floor.normal)));
   seen.height_error = result.floor.floor.plane.distance - mount.height;
-  const GridGeometry& grid = result.occupancy.geometry();
+  const occupancy::GridGeometry& grid = result.occupancy.geometry();
   for (int j = 0; j < grid.cells_y; ++j) {
     for (int i = 0; i < grid.cells_x; ++i) {
       if (!result.occupancy.occupied(i, j)) continue;

@@ -61,7 +61,7 @@ TEST_F(PipelineTest, PutsAPolygonAroundABox)
 
 TEST_F(PipelineTest, MarksTheCellsThatTheBoxStandsIn)
 {
-  const BinaryGrid& grid = process(Product::kOccupancy).occupancy;
+  const occupancy::BinaryGrid& grid = process(Product::kOccupancy).occupancy;
   // Its front is at x = 1.5, where a cell begins, from y = 0.1 to 0.5: rows 52 to 59.
   for (int j = 52; j < 60; ++j) {
     EXPECT_FALSE(grid.occupied(28, j)) << "row " << j;

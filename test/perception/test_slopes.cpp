@@ -129,7 +129,7 @@ Counts drive(const SlopedWay& way, double max_slope, bool has_mount)
     bool has_false_cell = false;
     bool has_far_false_cell = false;
     std::array<bool, 3> seen{};
-    const BinaryGrid& grid = result.occupancy;
+    const occupancy::BinaryGrid& grid = result.occupancy;
     for (int j = 0; j < grid.cellsY(); ++j) {
       for (int i = 0; i < grid.cellsX(); ++i) {
         if (!grid.occupied(i, j)) continue;

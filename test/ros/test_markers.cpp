@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "polygonal_perception/ros/common/polygon_markers.hpp"
 #include "ros/perception/markers.hpp"
 
 namespace polygonal_perception::ros_perception {
@@ -22,7 +23,7 @@ TEST(Markers, FillHasTheAreaAndOutlineTheEdgesOfThePolygons)
   MarkerArray markers;
   Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
   pose.translation() << 10.0, 0.0;
-  appendPolygonMarkers(std_msgs::Header(), squareRing(), pose, markers);
+  ros_common::appendPolygonMarkers(std_msgs::Header(), squareRing(), pose, ros_common::kFrameColor, markers);
   ASSERT_EQ(markers.markers.size(), 2U);
   const Marker& fill = markers.markers[0];
   const Marker& outline = markers.markers[1];
@@ -53,7 +54,8 @@ TEST(Markers, FillHasTheAreaAndOutlineTheEdgesOfThePolygons)
 TEST(Markers, NoPolygonsTakeTheOldOnesAway)
 {
   MarkerArray markers;
-  appendPolygonMarkers(std_msgs::Header(), geometry::PolygonSet(), Eigen::Isometry2d::Identity(), markers);
+  ros_common::appendPolygonMarkers(std_msgs::Header(), geometry::PolygonSet(), Eigen::Isometry2d::Identity(),
+                                   ros_common::kFrameColor, markers);
   ASSERT_EQ(markers.markers.size(), 2U);
   EXPECT_EQ(markers.markers[0].action, Marker::DELETE);
   EXPECT_EQ(markers.markers[1].action, Marker::DELETE);

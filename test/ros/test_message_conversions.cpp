@@ -2,10 +2,15 @@
 
 #include <array>
 
+#include "polygonal_perception/ros/common/grid_messages.hpp"
 #include "ros/perception/message_conversions.hpp"
 #include "ros/perception/obstacle_points.hpp"
 
 namespace polygonal_perception::ros_perception {
+
+using ros_common::toObservedGrid;
+using ros_common::toOccupancyGrid;
+using ros_common::toUnknownGrid;
 namespace {
 
 std_msgs::Header header()
@@ -107,11 +112,11 @@ TEST(MessageConversions, NoFloorSaysNothingOfAnOldOne)
 
 TEST(MessageConversions, AGridIsPlacedByItsOrigin)
 {
-  perception::GridParameters size;
+  occupancy::GridParameters size;
   size.grid_length = 0.3;
   size.grid_width = 0.2;
   size.grid_resolution = 0.1;
-  perception::BinaryGrid grid{perception::GridGeometry(size)};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(size)};
   grid.set(2, 1);
   const auto message = toOccupancyGrid(header(), grid, quarterTurn());
   EXPECT_EQ(message->info.width, 3U);
@@ -131,17 +136,17 @@ TEST(MessageConversions, AGridIsPlacedByItsOrigin)
 
 TEST(MessageConversions, WhatIsOccupiedComesBeforeWhatWasSeenFree)
 {
-  perception::GridParameters size;
+  occupancy::GridParameters size;
   size.grid_length = 0.4;
   size.grid_width = 0.1;
   size.grid_resolution = 0.1;
-  perception::BinaryGrid grid{perception::GridGeometry(size)};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(size)};
   grid.set(1, 0);
   grid.set(2, 0);
-  perception::ObservedCells observed;
+  occupancy::ObservedCells observed;
   observed.floor = {1, 1, 0, 0};
   observed.hit = {0, 1, 1, 0};
-  const auto message = toObservedGrid(header(), grid, observed, quarterTurn());
+  const auto message = toObservedGrid(header(), grid, observed.floor, quarterTurn());
   EXPECT_EQ(message->data, (std::vector<std::int8_t>{0, 100, 100, -1}));
   EXPECT_EQ(message->info, toOccupancyGrid(header(), grid, quarterTurn())->info);
 }

@@ -45,7 +45,7 @@ TEST_F(NodeParametersTest, AreTheDefaultsWhereNothingIsSet)
   EXPECT_EQ(parameters.floor_frame, "floor");
   EXPECT_TRUE(parameters.output_frame.empty());
   EXPECT_TRUE(parameters.lazy);
-  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, perception::Inflation::Parameters{}.robot_radius);
+  EXPECT_EQ(parameters.pipeline.inflation.robot_radius, occupancy::Inflation::Parameters{}.robot_radius);
 }
 
 TEST_F(NodeParametersTest, GoodValuesAreTaken)

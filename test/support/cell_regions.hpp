@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::test {
 
@@ -12,7 +12,7 @@ namespace polygonal_perception::test {
 class CellRegions
 {
 public:
-  explicit CellRegions(const perception::BinaryGrid& grid)
+  explicit CellRegions(const occupancy::BinaryGrid& grid)
       : grid_(grid), region_(static_cast<std::size_t>((grid.cellsX() + 2) * (grid.cellsY() + 2)), -1)
   {
     for (int j = -1; j <= grid.cellsY(); ++j) {
@@ -64,7 +64,7 @@ private:
     }
   }
 
-  perception::BinaryGrid grid_;
+  occupancy::BinaryGrid grid_;
   std::vector<int> region_;
   std::vector<int> sizes_;
   int occupied_regions_ = 0;

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "perception/polygons/outline_tracer.hpp"
-#include "perception/polygons/outlines.hpp"
+#include "polygonal_perception/occupancy/polygons/outline_tracer.hpp"
+#include "polygonal_perception/occupancy/polygons/outlines.hpp"
 #include "support/bits_from_text.hpp"
 
 namespace polygonal_perception::perception {
 
 /// How gtest prints it.
-inline void PrintTo(LatticePoint point, std::ostream* out)
+inline void PrintTo(occupancy::LatticePoint point, std::ostream* out)
 {
   *out << '(' << point.x << ", " << point.y << ')';
 }
@@ -21,7 +21,7 @@ inline void PrintTo(LatticePoint point, std::ostream* out)
 
 namespace polygonal_perception::test {
 
-using Corners = std::vector<perception::LatticePoint>;
+using Corners = std::vector<occupancy::LatticePoint>;
 
 /// Corners that are given in whole cells.
 inline Corners inCells(Corners corners)
@@ -34,40 +34,40 @@ inline Corners inCells(Corners corners)
 }
 
 /// Adds a ring through corners of the lattice, its start first. It counts as a boundary of its own.
-inline void addRing(const Corners& corners, perception::Outlines& outlines)
+inline void addRing(const Corners& corners, occupancy::Outlines& outlines)
 {
   const auto first = static_cast<std::uint32_t>(outlines.vertices.size());
   const auto size = static_cast<std::uint32_t>(corners.size());
   for (std::uint32_t n = 0; n < size; ++n)
     outlines.vertices.push_back({corners[n], first + (n + size - 1) % size, first + (n + 1) % size});
-  perception::Outlines::Ring ring;
+  occupancy::Outlines::Ring ring;
   ring.start = first;
   ring.size = size;
   outlines.rings.push_back(ring);
 }
 
-inline perception::Outlines outlinesThrough(const std::vector<Corners>& rings)
+inline occupancy::Outlines outlinesThrough(const std::vector<Corners>& rings)
 {
-  perception::Outlines outlines;
+  occupancy::Outlines outlines;
   for (const Corners& corners : rings) addRing(corners, outlines);
   return outlines;
 }
 
-inline perception::Outlines traced(const perception::BitGrid& cells)
+inline occupancy::Outlines traced(const occupancy::BitGrid& cells)
 {
-  perception::Outlines outlines;
-  perception::OutlineTracer().trace(cells, outlines);
+  occupancy::Outlines outlines;
+  occupancy::OutlineTracer().trace(cells, outlines);
   return outlines;
 }
 
 /// The outlines of cells as they are drawn.
-inline perception::Outlines traced(const std::vector<std::string>& lines)
+inline occupancy::Outlines traced(const std::vector<std::string>& lines)
 {
   return traced(bitsFromText(lines));
 }
 
 /// The corners of a ring from its start.
-inline Corners cornersOf(const perception::Outlines& outlines, std::size_t ring)
+inline Corners cornersOf(const occupancy::Outlines& outlines, std::size_t ring)
 {
   Corners corners;
   std::uint32_t vertex = outlines.rings.at(ring).start;
@@ -79,7 +79,7 @@ inline Corners cornersOf(const perception::Outlines& outlines, std::size_t ring)
 }
 
 /// Of all rings that are left.
-inline std::size_t verticesOf(const perception::Outlines& outlines)
+inline std::size_t verticesOf(const occupancy::Outlines& outlines)
 {
   std::size_t count = 0;
   for (const auto& ring : outlines.rings) count += ring.size;
@@ -91,7 +91,7 @@ inline std::int64_t twiceArea(const Corners& corners)
 {
   std::int64_t area = 0;
   for (std::size_t n = 2; n < corners.size(); ++n)
-    area += perception::cross(corners.front(), corners[n - 1], corners[n]);
+    area += occupancy::cross(corners.front(), corners[n - 1], corners[n]);
   return area;
 }
 

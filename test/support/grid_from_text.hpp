@@ -3,19 +3,19 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::test {
 
 /// A grid as it is drawn: the first line is the topmost row (greatest y), '#' is an occupied cell. Cells of 1
 /// m, the corner of cell (0, 0) in the origin.
-inline perception::BinaryGrid gridFromText(const std::vector<std::string>& lines)
+inline occupancy::BinaryGrid gridFromText(const std::vector<std::string>& lines)
 {
-  perception::GridGeometry geometry;
+  occupancy::GridGeometry geometry;
   geometry.cells_x = static_cast<int>(lines.front().size());
   geometry.cells_y = static_cast<int>(lines.size());
   geometry.resolution = 1.0;
-  perception::BinaryGrid grid(geometry);
+  occupancy::BinaryGrid grid(geometry);
   for (int j = 0; j < geometry.cells_y; ++j) {
     const std::string& line = lines[lines.size() - 1 - static_cast<std::size_t>(j)];
     for (int i = 0; i < geometry.cells_x; ++i) grid.set(i, j, line[static_cast<std::size_t>(i)] == '#');
@@ -23,7 +23,7 @@ inline perception::BinaryGrid gridFromText(const std::vector<std::string>& lines
   return grid;
 }
 
-inline std::vector<std::string> textFromGrid(const perception::BinaryGrid& grid)
+inline std::vector<std::string> textFromGrid(const occupancy::BinaryGrid& grid)
 {
   std::vector<std::string> lines;
   for (int j = grid.cellsY() - 1; j >= 0; --j) {

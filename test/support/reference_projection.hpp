@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
@@ -21,7 +21,7 @@ class ReferenceProjection
 {
 public:
   ReferenceProjection(const perception::Projection::Parameters& parameters,
-                      const Eigen::Isometry3d& to_floor_frame, const perception::GridGeometry& geometry)
+                      const Eigen::Isometry3d& to_floor_frame, const occupancy::GridGeometry& geometry)
       : geometry_(geometry), enough_(parameters.min_points_per_cell)
   {
     const double scale = 1.0 / geometry.resolution;
@@ -76,7 +76,7 @@ public:
     return place(along(height_), along(column_) + column_offset_, along(row_) + row_offset_);
   }
 
-  perception::BinaryGrid project(const perception::PointView& points) const
+  occupancy::BinaryGrid project(const perception::PointView& points) const
   {
     std::vector<int> counts(geometry_.size(), 0);
     for (std::uint32_t v = 0; v < points.height(); ++v) {
@@ -84,7 +84,7 @@ public:
         if (const auto standing_in = cell(points, u, v)) ++counts[*standing_in];
       }
     }
-    perception::BinaryGrid grid(geometry_);
+    occupancy::BinaryGrid grid(geometry_);
     for (std::size_t k = 0; k < counts.size(); ++k) grid.row(0)[k] = counts[k] >= enough_ ? 1 : 0;
     return grid;
   }
@@ -117,10 +117,10 @@ private:
                              static_cast<std::size_t>(column);
     if (height < lowest_) return Place{cell, -1};
     const auto slab = static_cast<int>((height - lowest_) * slabs_per_metre_);
-    return Place{cell, std::min(slab, perception::ObservedCells::kSlabs - 1)};
+    return Place{cell, std::min(slab, occupancy::ObservedCells::kSlabs - 1)};
   }
 
-  perception::GridGeometry geometry_;
+  occupancy::GridGeometry geometry_;
   int enough_;
   Eigen::Vector3f height_, column_, row_;
   float column_offset_, row_offset_;

@@ -20,6 +20,7 @@ namespace polygonal_perception::parameters {
 ///     visit(name, self.direction, help);                         Eigen::Vector3d, any but the zero vector,
 ///                                                                or std::optional of it
 ///     visit(name, self.boxes, help);                             std::vector<FrameBox>
+///     visit(name, self.names, help);                             std::vector<std::string>, none of them empty or twice
 ///
 /// Names are those of the ROS parameters, unique within a node. ROS nodes read, check and document their
 /// parameters through it, and let dynamic_reconfigure change the numbers, except for those whose range says

@@ -6,19 +6,19 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/polygon_set.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/perception/floor/floor_detector.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
 #include "polygonal_perception/perception/floor/ground_planes.hpp"
 #include "polygonal_perception/perception/floor/view_axes.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/drop_offs.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
 #include "polygonal_perception/perception/grid/look_through.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
 #include "polygonal_perception/perception/products.hpp"
 #include "polygonal_perception/perception/scan/floor_scanner.hpp"
 #include "polygonal_perception/perception/segmentation/plane_segmentation.hpp"
@@ -48,12 +48,12 @@ public:
     ViewAxesParameters view;
     GroundPlanes::Parameters ground;
     PlaneSegmentation::Parameters segmentation;
-    GridParameters grid;
+    occupancy::GridParameters grid;
     Projection::Parameters projection;
     DropOffs::Parameters drop_offs;
     FloorScanner::Parameters scan;
-    Inflation::Parameters inflation;
-    Polygonizer::Parameters polygonizer;
+    occupancy::Inflation::Parameters inflation;
+    occupancy::Polygonizer::Parameters polygonizer;
 
     /// Visits the parameters of every stage.
     template <class Self, class Visitor>
@@ -64,12 +64,12 @@ public:
       FloorTracker::Parameters::describe(self.tracker, visit);
       FloorDetector::Parameters::describe(self.detector, visit);
       GroundPlanes::Parameters::describe(self.ground, visit);
-      GridParameters::describe(self.grid, visit);
+      occupancy::GridParameters::describe(self.grid, visit);
       Projection::Parameters::describe(self.projection, visit);
       DropOffs::Parameters::describe(self.drop_offs, visit);
       FloorScanner::Parameters::describe(self.scan, visit);
-      Inflation::Parameters::describe(self.inflation, visit);
-      Polygonizer::Parameters::describe(self.polygonizer, visit);
+      occupancy::Inflation::Parameters::describe(self.inflation, visit);
+      occupancy::Polygonizer::Parameters::describe(self.polygonizer, visit);
     }
 
     /// @return which parameters contradict one another though each is within its range, or nothing
@@ -92,12 +92,12 @@ public:
     std::vector<SampleLabel> labels;  ///< of each sample; empty where nobody asked
     SegmentedPlanes planes;           ///< also where no floor was found
     std::vector<Eigen::Vector3f>
-        floor_hull;          ///< [m] in the input's frame; a held floor's is the one it was found with
-    BinaryGrid occupancy;    ///< free everywhere when NOT_FOUND or not asked for
-    ObservedCells observed;  ///< in the grid's cells; empty when NOT_FOUND or not asked for
-    LevelScan scan;          ///< in the floor frame; all unknown when NOT_FOUND, empty when not asked for
+        floor_hull;  ///< [m] in the input's frame; a held floor's is the one it was found with
+    occupancy::BinaryGrid occupancy;    ///< free everywhere when NOT_FOUND or not asked for
+    occupancy::ObservedCells observed;  ///< in the grid's cells; empty when NOT_FOUND or not asked for
+    LevelScan scan;  ///< in the floor frame; all unknown when NOT_FOUND, empty when not asked for
     std::vector<Eigen::Vector3f> obstacle_points;  ///< [m] in the floor frame
-    BinaryGrid inflated;
+    occupancy::BinaryGrid inflated;
     geometry::PolygonSet polygons;  ///< [m] in the floor frame
     StageTimes times;
   };
@@ -149,8 +149,8 @@ private:
   DropOffs drop_offs_;
   LookThrough look_through_;
   FloorScanner scanner_;
-  Inflation inflation_;
-  Polygonizer polygonizer_;
+  occupancy::Inflation inflation_;
+  occupancy::Polygonizer polygonizer_;
   std::optional<Pinhole> pinhole_;  // of the first cloud whose pixels told it
   int pinhole_tries_ = 0;
   Result result_;

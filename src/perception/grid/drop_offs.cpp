@@ -2,8 +2,8 @@
 
 namespace polygonal_perception::perception {
 
-void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-                    const GroundMap* ground) const
+void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+                    occupancy::BinaryGrid& occupancy, const GroundMap* ground) const
 {
   // A floor's normal may be off by half a degree: so much further down, for each metre, a point must be.
   constexpr float kPerMetre = 0.01F;
@@ -12,7 +12,7 @@ void DropOffs::mark(const PointView& points, const Eigen::Isometry3d& to_floor_f
 
   const Eigen::Isometry3f transform = to_floor_frame.cast<float>();
   const Eigen::Vector3f camera = transform.translation();
-  const GridGeometry& geometry = occupancy.geometry();
+  const occupancy::GridGeometry& geometry = occupancy.geometry();
   const auto drop = static_cast<float>(parameters_.drop_height);
   for (std::uint32_t v = kStep / 2; v < points.height(); v += kStep) {
     for (std::uint32_t u = kStep / 2; u < points.width(); u += kStep) {

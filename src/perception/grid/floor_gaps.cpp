@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "polygonal_perception/occupancy/grid/observed_cells.hpp"
+
 namespace polygonal_perception::perception {
 
-void FloorGaps::begin(const GridGeometry& geometry)
+void FloorGaps::begin(const occupancy::GridGeometry& geometry)
 {
   size_ = static_cast<std::uint32_t>(geometry.size());
   columns_ = geometry.cells_x;
@@ -81,7 +83,8 @@ void FloorGaps::fillBlock(const CellBlock& here, const CellBlock& before, std::u
       // Rounded to the nearer cell.
       const int x = i + (2 * di * step + (di < 0 ? -steps : steps)) / (2 * steps);
       const int y = j + (2 * dj * step + (dj < 0 ? -steps : steps)) / (2 * steps);
-      floor[y * columns_ + x] = 1;
+      std::uint8_t& between = floor[y * columns_ + x];
+      if (between == occupancy::ObservedCells::kNothing) between = occupancy::ObservedCells::kBetween;
     }
   }
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "perception/grid/cell_scanner.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -17,7 +17,7 @@ class FloorGaps
 {
 public:
   /// Forgets the last frame.
-  void begin(const GridGeometry& geometry);
+  void begin(const occupancy::GridGeometry& geometry);
 
   /// Marks the cells between those of a row of the image and those of the row before, if that was given, too.
   /// @param v      which row it is

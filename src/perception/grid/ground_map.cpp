@@ -20,7 +20,7 @@ void GroundSurface::setPlane(const geometry::Plane& plane, const Eigen::Isometry
   offset = static_cast<float>(-distance / normal.z());
 }
 
-void GroundMap::build(const GridGeometry& geometry, const std::vector<GroundSurface>& surfaces)
+void GroundMap::build(const occupancy::GridGeometry& geometry, const std::vector<GroundSurface>& surfaces)
 {
   geometry_ = geometry;
   surfaces_ = surfaces;

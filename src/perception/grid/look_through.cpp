@@ -9,7 +9,7 @@ namespace polygonal_perception::perception {
 
 namespace {
 
-constexpr int kSlabs = ObservedCells::kSlabs;
+constexpr int kSlabs = occupancy::ObservedCells::kSlabs;
 
 /// Noise moves what is seen behind a slab into it, or through it, once in 700 times.
 constexpr float kSigmas = 3.0F;
@@ -166,7 +166,7 @@ bool isBeside(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float columns,
 template <class Image>
 void lookAtAll(const Image& image, const Slabs& slabs, std::vector<std::uint8_t>& free)
 {
-  const GridGeometry& geometry = slabs.cells.geometry;
+  const occupancy::GridGeometry& geometry = slabs.cells.geometry;
   const auto side = static_cast<float>(geometry.resolution);
   const float to_corner = 0.5F * std::sqrt(2.0F * side * side + slabs.slab * slabs.slab);
   const float first = static_cast<float>(slabs.cells.heights.min_height) + 0.5F * slabs.slab;

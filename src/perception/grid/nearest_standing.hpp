@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "perception/grid/projection_kernel.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
+#include "polygonal_perception/perception/grid/bearing_bins.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
-#include "polygonal_perception/perception/grid/bearing_bins.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -27,7 +27,7 @@ public:
 
   /// The projection calls these. First: null: all points count; else those in cells that are occupied when the frame is
   /// finished.
-  void countIn(const BinaryGrid* occupancy) { occupancy_ = occupancy; }
+  void countIn(const occupancy::BinaryGrid* occupancy) { occupancy_ = occupancy; }
   /// Turns to a frame.
   /// @return what its rows are to fill
   NearestLanes begin(const ProjectionKernel& kernel, const PointView& points);
@@ -52,7 +52,7 @@ private:
   void lookUp();
 
   const ProjectionKernel* kernel_ = nullptr;
-  const BinaryGrid* occupancy_ = nullptr;
+  const occupancy::BinaryGrid* occupancy_ = nullptr;
   BinRule rule_{};
   std::size_t width_ = 0;  // with what fills up the last block
   std::uint32_t rows_per_band_ = 1;

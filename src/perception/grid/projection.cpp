@@ -11,7 +11,7 @@ namespace polygonal_perception::perception {
 
 namespace {
 
-CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
+CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const occupancy::GridGeometry& geometry,
                             const Projection::Parameters& parameters)
 {
   const auto& rotation = to_floor_frame.linear();
@@ -37,14 +37,14 @@ CellTransform cellTransform(const Eigen::Isometry3d& to_floor_frame, const GridG
 }
 
 /// The floor's points, too, and the points that stand by slabs of their heights.
-void addLayers(const GridGeometry& geometry, const Projection::Parameters& parameters,
+void addLayers(const occupancy::GridGeometry& geometry, const Projection::Parameters& parameters,
                CellTransform& transform)
 {
   const double height = parameters.slabHeight();
   transform.lowest =
       transform.standing - static_cast<float>(parameters.min_height + std::abs(parameters.min_height));
   transform.slabs_per_metre = height > 0.0 ? static_cast<float>(1.0 / height) : 0.0F;
-  transform.last_slab = ObservedCells::kSlabs - 1;
+  transform.last_slab = occupancy::ObservedCells::kSlabs - 1;
   transform.layer_size = static_cast<std::int32_t>(geometry.size());
 }
 
@@ -90,7 +90,8 @@ Projection& Projection::operator=(Projection&& other) noexcept = default;
 Projection::~Projection() = default;
 
 void Projection::project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         BinaryGrid& occupancy, const HeightRules& rules, const Observation& wanted)
+                         occupancy::BinaryGrid& occupancy, const HeightRules& rules,
+                         const Observation& wanted)
 {
   if (wanted.nearest != nullptr)
     wanted.nearest->countIn(parameters_.min_points_per_cell > 1 ? &occupancy : nullptr);
@@ -105,7 +106,8 @@ void Projection::project(const PointView& points, const Eigen::Isometry3d& to_fl
 }
 
 void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                       const GridGeometry& geometry, const HeightRules& rules, const Observation& wanted)
+                       const occupancy::GridGeometry& geometry, const HeightRules& rules,
+                       const Observation& wanted)
 {
   CellTransform transform = cellTransform(to_floor_frame, geometry, parameters_);
   NearestLanes nearest{};
@@ -133,7 +135,7 @@ void Projection::begin(const PointView& points, const Eigen::Isometry3d& to_floo
   workspace_->scanner.begin(points, transform, &workspace_->rule, nearest);
 }
 
-void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
+void Projection::markAny(std::uint32_t rows, occupancy::BinaryGrid& occupancy)
 {
   const std::size_t cells = occupancy.geometry().size();
   workspace_->marks.assign(1 + cells, 0);
@@ -148,11 +150,11 @@ void Projection::markAny(std::uint32_t rows, BinaryGrid& occupancy)
   std::copy_n(marks + 1, cells, occupancy.row(0));
 }
 
-void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Observation& wanted)
+void Projection::markLayers(std::uint32_t rows, occupancy::BinaryGrid& occupancy, const Observation& wanted)
 {
-  ObservedCells& observed = *wanted.cells;
-  constexpr std::size_t kLayers = 1 + ObservedCells::kSlabs;
-  const GridGeometry& geometry = occupancy.geometry();
+  occupancy::ObservedCells& observed = *wanted.cells;
+  constexpr std::size_t kLayers = 1 + occupancy::ObservedCells::kSlabs;
+  const occupancy::GridGeometry& geometry = occupancy.geometry();
   const std::size_t cells = geometry.size();
   const bool counts_points = parameters_.min_points_per_cell > 1;
   workspace_->marks.assign(1 + kLayers * cells, 0);
@@ -177,7 +179,7 @@ void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Obs
   }
   observed.floor.assign(marks + 1, marks + 1 + cells);
   observed.hit.assign(cells, 0);
-  for (std::size_t slab = 0; slab < ObservedCells::kSlabs; ++slab) {
+  for (std::size_t slab = 0; slab < occupancy::ObservedCells::kSlabs; ++slab) {
     const std::uint8_t* const layer = marks + 1 + (1 + slab) * cells;
     for (std::size_t cell = 0; cell < cells; ++cell)
       observed.hit[cell] = static_cast<std::uint8_t>(observed.hit[cell] | layer[cell] << slab);
@@ -190,7 +192,7 @@ void Projection::markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Obs
   if (wanted.nearest != nullptr) wanted.nearest->finish();
 }
 
-void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
+void Projection::markMany(std::uint32_t rows, occupancy::BinaryGrid& occupancy)
 {
   const std::size_t cells = occupancy.geometry().size();
   workspace_->counts.assign(kTurns * (1 + cells), 0);
@@ -214,7 +216,7 @@ void Projection::markMany(std::uint32_t rows, BinaryGrid& occupancy)
 }
 
 void Projection::collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
-                         const GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing,
+                         const occupancy::GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing,
                          const HeightRules& rules)
 {
   standing.clear();

@@ -18,7 +18,7 @@ namespace {
 class CellsAlong
 {
 public:
-  CellsAlong(const GridGeometry& geometry, double bearing)
+  CellsAlong(const occupancy::GridGeometry& geometry, double bearing)
       : geometry_(geometry), x_(std::cos(bearing)), y_(std::sin(bearing))
   {
   }
@@ -30,12 +30,12 @@ public:
   }
 
 private:
-  const GridGeometry& geometry_;
+  const occupancy::GridGeometry& geometry_;
   double x_, y_;
 };
 
 /// Whether anything is occupied in which nothing stands.
-bool hasDrops(const BinaryGrid& occupancy, const ObservedCells& observed)
+bool hasDrops(const occupancy::BinaryGrid& occupancy, const occupancy::ObservedCells& observed)
 {
   std::size_t drops = 0;
   for (std::size_t cell = 0; cell < observed.hit.size(); ++cell)
@@ -90,8 +90,8 @@ void FloorScanner::makeUnknown(LevelScan& scan) const
   scan.ranges.assign(bins_.count, std::numeric_limits<float>::quiet_NaN());
 }
 
-void FloorScanner::finishFrame(const View& view, const BinaryGrid& occupancy, const ObservedCells& observed,
-                               LevelScan& scan) const
+void FloorScanner::finishFrame(const View& view, const occupancy::BinaryGrid& occupancy,
+                               const occupancy::ObservedCells& observed, LevelScan& scan) const
 {
   makeUnknown(scan);
   const bool has_drops = hasDrops(occupancy, observed);

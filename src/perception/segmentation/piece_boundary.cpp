@@ -26,11 +26,12 @@ void PieceBoundary::trace(const PointView& points, const SampleGrid& grid, const
   for (const std::uint32_t* cell = cells + piece.first; cell != cells + piece.first + piece.size; ++cell) {
     const int x = static_cast<int>(*cell) % grid.samplesX();
     const int y = static_cast<int>(*cell) / grid.samplesX();
-    cells_.row(y)[x / BitGrid::kWordBits] |= std::uint64_t{1} << (x % BitGrid::kWordBits);
+    cells_.row(y)[x / occupancy::BitGrid::kWordBits] |= std::uint64_t{1}
+                                                        << (x % occupancy::BitGrid::kWordBits);
   }
   tracer_.trace(cells_, outlines_);
   const auto boundary = std::find_if(outlines_.rings.begin(), outlines_.rings.end(),
-                                     [](const Outlines::Ring& ring) { return !ring.hole; });
+                                     [](const occupancy::Outlines::Ring& ring) { return !ring.hole; });
   if (boundary == outlines_.rings.end()) return;
   collectEdges(*boundary);
 
@@ -79,11 +80,11 @@ std::optional<Eigen::Vector3f> PieceBoundary::lastPoint(const PointView& points,
   return last;
 }
 
-void PieceBoundary::collectEdges(const Outlines::Ring& ring)
+void PieceBoundary::collectEdges(const occupancy::Outlines::Ring& ring)
 {
   // To the whole corner: where cells touch in a corner, outlines give way by less than half a cell.
   const auto toCell = [](std::int32_t units) {
-    return static_cast<int>((units + kUnitsPerCell / 2) / kUnitsPerCell);
+    return static_cast<int>((units + occupancy::kUnitsPerCell / 2) / occupancy::kUnitsPerCell);
   };
   edges_.clear();
   std::uint32_t at = ring.start;

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "perception/grid/bit_grid.hpp"
-#include "perception/polygons/outline_tracer.hpp"
-#include "perception/polygons/outlines.hpp"
 #include "perception/segmentation/plane_lookup.hpp"
 #include "perception/segmentation/plane_pieces.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
+#include "polygonal_perception/occupancy/grid/bit_grid.hpp"
+#include "polygonal_perception/occupancy/polygons/outline_tracer.hpp"
+#include "polygonal_perception/occupancy/polygons/outlines.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/perception/planes/sample_grid.hpp"
 
@@ -38,13 +38,13 @@ private:
     int dx, dy;
   };
 
-  void collectEdges(const Outlines::Ring& ring);
+  void collectEdges(const occupancy::Outlines::Ring& ring);
   static std::optional<Eigen::Vector3f> lastPoint(const PointView& points, const SampleGrid& grid,
                                                   const PlaneLookup& lookup, int plane, const Edge& edge);
 
-  BitGrid cells_;
-  OutlineTracer tracer_;
-  Outlines outlines_;
+  occupancy::BitGrid cells_;
+  occupancy::OutlineTracer tracer_;
+  occupancy::Outlines outlines_;
   std::vector<Edge> edges_;  // of the ring, between a cell of the piece and one that is not of it
 };
 

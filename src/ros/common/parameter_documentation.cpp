@@ -18,6 +18,7 @@ struct Type
   const char* operator()(const Eigen::Vector3d* /*value*/) const { return "list"; }
   const char* operator()(const std::optional<Eigen::Vector3d>* /*value*/) const { return "list"; }
   const char* operator()(const std::vector<parameters::FrameBox>* /*value*/) const { return "list"; }
+  const char* operator()(const std::vector<std::string>* /*value*/) const { return "list"; }
 };
 
 struct Text
@@ -36,6 +37,7 @@ struct Text
   }
   /// Nobody's defaults have one.
   std::string operator()(const std::vector<parameters::FrameBox>* /*value*/) const { return "[]"; }
+  std::string operator()(const std::vector<std::string>* /*value*/) const { return "[]"; }
 };
 
 std::string acceptedBy(const ParameterEntry& entry)
@@ -45,6 +47,7 @@ std::string acceptedBy(const ParameterEntry& entry)
   if (std::holds_alternative<std::optional<Eigen::Vector3d>*>(entry.value)) return "empty or not zero";
   if (std::holds_alternative<std::vector<parameters::FrameBox>*>(entry.value))
     return "[[frame, x, y, z from, x, y, z to], ...]";
+  if (std::holds_alternative<std::vector<std::string>*>(entry.value)) return "[name, ...]";
   return entry.rule.accepted;
 }
 

@@ -4,6 +4,7 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -104,6 +105,20 @@ bool take(XmlRpcValue& from, std::vector<parameters::FrameBox>& to)
   return true;
 }
 
+bool take(XmlRpcValue& from, std::vector<std::string>& to)
+{
+  if (from.getType() != XmlRpcValue::TypeArray) return false;
+  std::vector<std::string> names;
+  for (int i = 0; i < from.size(); ++i) {
+    std::string name;
+    if (!take(from[i], name) || name.empty() || std::count(names.begin(), names.end(), name) > 0)
+      return false;
+    names.push_back(name);
+  }
+  to = names;
+  return true;
+}
+
 template <class T>
 bool isAccepted(const ParameterEntry& entry, const T& value)
 {
@@ -137,6 +152,10 @@ struct Accepted
   std::string operator()(const std::vector<parameters::FrameBox>* /*value*/) const
   {
     return "a list of lists [frame, x, y, z from, x, y, z to], each from at most its to";
+  }
+  std::string operator()(const std::vector<std::string>* /*value*/) const
+  {
+    return "a list of names, none of them twice";
   }
 };
 

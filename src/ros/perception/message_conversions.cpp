@@ -4,6 +4,8 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 
+#include "polygonal_perception/ros/common/grid_messages.hpp"
+
 namespace polygonal_perception::ros_perception {
 
 static_assert(static_cast<int>(perception::FloorStatus::kNotFound) == FloorPlane::NOT_FOUND &&
@@ -96,78 +98,30 @@ PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::Seg
   return message;
 }
 
-nav_msgs::MapMetaData toMetaData(const ros::Time& stamp, const perception::GridGeometry& geometry,
-                                 const Eigen::Isometry2d& output_pose)
-{
-  nav_msgs::MapMetaData info;
-  info.map_load_time = stamp;
-  info.resolution = static_cast<float>(geometry.resolution);
-  info.width = static_cast<std::uint32_t>(geometry.cells_x);
-  info.height = static_cast<std::uint32_t>(geometry.cells_y);
-  const Eigen::Vector2d origin = output_pose * Eigen::Vector2d(geometry.origin_x, geometry.origin_y);
-  info.origin.position.x = origin.x();
-  info.origin.position.y = origin.y();
-  const double yaw = Eigen::Rotation2Dd(output_pose.linear()).angle();
-  info.origin.orientation.z = std::sin(yaw / 2.0);
-  info.origin.orientation.w = std::cos(yaw / 2.0);
-  return info;
-}
-
-nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
-                                         const perception::GridGeometry& geometry,
-                                         const Eigen::Isometry2d& output_pose)
-{
-  constexpr std::int8_t kUnknown = -1;
-  auto message = boost::make_shared<nav_msgs::OccupancyGrid>();
-  message->header = header;
-  message->info = toMetaData(header.stamp, geometry, output_pose);
-  message->data.assign(geometry.size(), kUnknown);
-  return message;
-}
-
-nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const perception::BinaryGrid& grid,
-                                           const Eigen::Isometry2d& output_pose)
-{
-  static constexpr std::int8_t kFree = 0;  // static: GCC 10 would have the lambda capture them
-  static constexpr std::int8_t kOccupied = 100;
-  auto message = toUnknownGrid(header, grid.geometry(), output_pose);
-  std::transform(grid.cells().begin(), grid.cells().end(), message->data.begin(),
-                 [](std::uint8_t cell) { return cell != 0 ? kOccupied : kFree; });
-  return message;
-}
-
-nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
-                                          const perception::BinaryGrid& occupancy,
-                                          const perception::ObservedCells& observed,
-                                          const Eigen::Isometry2d& output_pose)
-{
-  constexpr std::int8_t kSeenFree = 0;
-  constexpr std::int8_t kOccupied = 100;
-  auto message = toUnknownGrid(header, occupancy.geometry(), output_pose);
-  for (std::size_t cell = 0; cell < message->data.size(); ++cell) {
-    if (occupancy.cells()[cell] != 0) {
-      message->data[cell] = kOccupied;
-    } else if (observed.floor[cell] != 0) {
-      message->data[cell] = kSeenFree;
-    }
-  }
-  return message;
-}
-
 ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perception::FloorState& floor,
-                                 const perception::GridGeometry& geometry,
-                                 const perception::ObservedCells& observed, double slab_height,
+                                 const occupancy::BinaryGrid& occupancy,
+                                 const occupancy::ObservedCells& observed, double slab_height,
                                  const Eigen::Isometry2d& output_pose)
 {
   auto message = boost::make_shared<ObservedCells>();
   message->header = header;
   message->floor_status = static_cast<std::uint8_t>(floor.status);
-  message->info = toMetaData(header.stamp, geometry, output_pose);
+  message->info = ros_common::toMetaData(header.stamp, occupancy.geometry(), output_pose);
   message->slab_height = static_cast<float>(slab_height);
   message->hit = observed.hit;
   message->free = observed.free;
-  message->floor = observed.floor;
-  for (auto* cells : {&message->hit, &message->free, &message->floor}) cells->resize(geometry.size(), 0);
+  // What was not seen itself clears nothing.
+  message->floor.resize(observed.floor.size());
+  std::transform(observed.floor.begin(), observed.floor.end(), message->floor.begin(),
+                 [](std::uint8_t floor) {
+                   return static_cast<std::uint8_t>(floor == occupancy::ObservedCells::kSeen ? 1 : 0);
+                 });
+  for (auto* cells : {&message->hit, &message->free, &message->floor})
+    cells->resize(occupancy.geometry().size(), 0);
+  for (std::size_t cell = 0; cell < message->hit.size(); ++cell) {
+    // A drop has no points that stand: a map that did not know of it would lead into it.
+    if (occupancy.cells()[cell] != 0 && message->hit[cell] == 0) message->hit[cell] = 1;
+  }
   return message;
 }
 

@@ -11,10 +11,10 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
 #include "polygonal_perception/perception/floor/floor_tracker.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
-#include "polygonal_perception/perception/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/scan/level_scan.hpp"
 #include "polygonal_perception/perception/segmentation/segmented_planes.hpp"
 
@@ -34,38 +34,18 @@ pcl_msgs::ModelCoefficientsPtr toModelCoefficients(const std_msgs::Header& heade
 /// @param header  stamp and frame of the input
 PlaneArrayPtr toPlaneArray(const std_msgs::Header& header, const perception::SegmentedPlanes& planes);
 
-/// Occupied cells are 100, free ones 0.
+/// What is observed, by height; all 0 without a floor. A cell that is occupied by a drop has the lowest slab hit.
 ///
-/// @param header       stamp of the input, output frame
-/// @param output_pose  of the floor frame in the output frame
-nav_msgs::OccupancyGridPtr toOccupancyGrid(const std_msgs::Header& header, const perception::BinaryGrid& grid,
-                                           const Eigen::Isometry2d& output_pose);
-
-/// Occupied cells are 100, those in which the floor itself was seen 0, the others -1.
-///
-/// @param occupancy, observed  of one frame
-nav_msgs::OccupancyGridPtr toObservedGrid(const std_msgs::Header& header,
-                                          const perception::BinaryGrid& occupancy,
-                                          const perception::ObservedCells& observed,
-                                          const Eigen::Isometry2d& output_pose);
-
-/// What is observed, by height; all 0 without a floor.
-///
-/// @param geometry     of the grid, also where nothing is observed
-/// @param slab_height  [m]
+/// @param occupancy, observed  of one frame; the occupancy has its geometry also where nothing is observed
+/// @param slab_height          [m]
 ObservedCellsPtr toObservedCells(const std_msgs::Header& header, const perception::FloorState& floor,
-                                 const perception::GridGeometry& geometry,
-                                 const perception::ObservedCells& observed, double slab_height,
+                                 const occupancy::BinaryGrid& occupancy,
+                                 const occupancy::ObservedCells& observed, double slab_height,
                                  const Eigen::Isometry2d& output_pose);
 
 /// All rays of a scan are of one moment: the input's stamp.
 ///
 /// @param header  stamp of the input, floor frame
 sensor_msgs::LaserScanPtr toLaserScan(const std_msgs::Header& header, const perception::LevelScan& scan);
-
-/// The grid where there is no floor: every cell is unknown, -1.
-nav_msgs::OccupancyGridPtr toUnknownGrid(const std_msgs::Header& header,
-                                         const perception::GridGeometry& geometry,
-                                         const Eigen::Isometry2d& output_pose);
 
 }  // namespace polygonal_perception::ros_perception

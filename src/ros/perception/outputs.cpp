@@ -2,6 +2,8 @@
 
 #include <boost/make_shared.hpp>
 
+#include "polygonal_perception/ros/common/grid_messages.hpp"
+#include "polygonal_perception/ros/common/polygon_markers.hpp"
 #include "polygonal_perception/ros/common/polygon_messages.hpp"
 #include "ros/perception/markers.hpp"
 #include "ros/perception/message_conversions.hpp"
@@ -23,12 +25,12 @@ bool canTell(const FrameResult& frame, Product product)
 }
 
 nav_msgs::OccupancyGridPtr toGrid(const FrameResult& frame, Product product,
-                                  const perception::BinaryGrid& grid)
+                                  const occupancy::BinaryGrid& grid)
 {
   if (!canTell(frame, product)) return nullptr;
   const Eigen::Isometry2d& pose = frame.output->pose;
-  return frame.hasFloor() ? toOccupancyGrid(frame.outputHeader(), grid, pose)
-                          : toUnknownGrid(frame.outputHeader(), grid.geometry(), pose);
+  return frame.hasFloor() ? ros_common::toOccupancyGrid(frame.outputHeader(), grid, pose)
+                          : ros_common::toUnknownGrid(frame.outputHeader(), grid.geometry(), pose);
 }
 
 /// The same in the input's frame, for the floor with its hull.
@@ -64,15 +66,16 @@ nav_msgs::OccupancyGridPtr observedGrid(const FrameResult& frame)
   if (!canTell(frame, Product::kObserved)) return nullptr;
   const perception::Pipeline::Result& result = frame.result;
   const Eigen::Isometry2d& pose = frame.output->pose;
-  return frame.hasFloor() ? toObservedGrid(frame.outputHeader(), result.occupancy, result.observed, pose)
-                          : toUnknownGrid(frame.outputHeader(), result.occupancy.geometry(), pose);
+  return frame.hasFloor()
+             ? ros_common::toObservedGrid(frame.outputHeader(), result.occupancy, result.observed.floor, pose)
+             : ros_common::toUnknownGrid(frame.outputHeader(), result.occupancy.geometry(), pose);
 }
 
 ObservedCellsPtr observedCells(const FrameResult& frame)
 {
   if (!canTell(frame, Product::kLookedThrough)) return nullptr;
   const perception::Pipeline::Result& result = frame.result;
-  return toObservedCells(frame.outputHeader(), result.floor, result.occupancy.geometry(), result.observed,
+  return toObservedCells(frame.outputHeader(), result.floor, result.occupancy, result.observed,
                          frame.parameters.projection.slabHeight(), frame.output->pose);
 }
 
@@ -102,9 +105,11 @@ visualization_msgs::MarkerArrayPtr markers(const FrameResult& frame)
   auto markers = boost::make_shared<visualization_msgs::MarkerArray>();
   static const geometry::PolygonSet kNoPolygons;  // delete those of the last frame
   if (frame.output && frame.hasFloor() && frame.result.products.has(Product::kPolygons)) {
-    appendPolygonMarkers(frame.outputHeader(), frame.result.polygons, frame.output->pose, *markers);
+    ros_common::appendPolygonMarkers(frame.outputHeader(), frame.result.polygons, frame.output->pose,
+                                     ros_common::kFrameColor, *markers);
   } else {
-    appendPolygonMarkers(frame.input, kNoPolygons, Eigen::Isometry2d::Identity(), *markers);
+    ros_common::appendPolygonMarkers(frame.input, kNoPolygons, Eigen::Isometry2d::Identity(),
+                                     ros_common::kFrameColor, *markers);
   }
   appendFloorMarkers(frame.input, frame.result.floor, frame.result.floor_hull, *markers);
   return markers;

@@ -13,12 +13,12 @@ namespace {
 class DropOffsTest : public ::testing::Test
 {
 protected:
-  BinaryGrid mark(double drop_height, double depth_of_drop)
+  occupancy::BinaryGrid mark(double drop_height, double depth_of_drop)
   {
     test::PlaneScene scene(320, 240, 200.0);
     scene.add(test::raised(floor_, -depth_of_drop));
     scene.add(floor_, [](const Eigen::Vector3d& p) { return p.z() < 2.0; });
-    BinaryGrid grid{GridGeometry{GridParameters{}}};
+    occupancy::BinaryGrid grid{occupancy::GridGeometry{occupancy::GridParameters{}}};
     DropOffs({drop_height}).mark(scene.view(), floorFrame(floor_, ViewAxes{}), grid);
     return grid;
   }
@@ -28,7 +28,7 @@ protected:
 
 TEST_F(DropOffsTest, BarTheWayBeyondTheEdge)
 {
-  const BinaryGrid grid = mark(0.15, 0.5);
+  const occupancy::BinaryGrid grid = mark(0.15, 0.5);
   // Cell 40 begins 2 m ahead; the middle row is straight ahead.
   for (int j = 40; j < 60; ++j) {
     int first = 0;
@@ -53,7 +53,7 @@ TEST_F(DropOffsTest, PixelsWithoutReturnAreNone)
 {
   test::PlaneScene nothing;
   nothing.depth()[200] = -std::numeric_limits<float>::infinity();
-  BinaryGrid grid{GridGeometry{GridParameters{}}};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry{occupancy::GridParameters{}}};
   DropOffs({0.1}).mark(nothing.view(), floorFrame(floor_, ViewAxes{}), grid);
   EXPECT_EQ(grid.count(), 0U);
 }

@@ -9,7 +9,7 @@ namespace polygonal_perception::perception {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-const GridGeometry kGrid{GridParameters{}};
+const occupancy::GridGeometry kGrid{occupancy::GridParameters{}};
 
 test::PackedPoint floorAt(float x, float y = 0.02F)
 {
@@ -17,10 +17,10 @@ test::PackedPoint floorAt(float x, float y = 0.02F)
 }
 
 /// What is observed of a frame a pixel wide: a column of the image.
-ObservedCells observe(const std::vector<test::PackedPoint>& column, std::uint32_t width = 1)
+occupancy::ObservedCells observe(const std::vector<test::PackedPoint>& column, std::uint32_t width = 1)
 {
-  ObservedCells observed;
-  BinaryGrid occupancy{kGrid};
+  occupancy::ObservedCells observed;
+  occupancy::BinaryGrid occupancy{kGrid};
   Projection(Projection::Parameters{})
       .project(PointView::points(column.data(), width, static_cast<std::uint32_t>(column.size()) / width),
                Eigen::Isometry3d::Identity(), occupancy, {}, {&observed});
@@ -28,7 +28,7 @@ ObservedCells observe(const std::vector<test::PackedPoint>& column, std::uint32_
 }
 
 /// The columns of the grid in which the floor is seen, in the row of y = 0.02.
-std::vector<int> seenColumns(const ObservedCells& observed)
+std::vector<int> seenColumns(const occupancy::ObservedCells& observed)
 {
   std::vector<int> columns;
   for (int i = 0; i < kGrid.cells_x; ++i) {
@@ -67,7 +67,7 @@ TEST(FloorGaps, NeighboursInARowAreNotJoined)
 TEST(FloorGaps, AcrossTheGridTheCellsOnTheWayAreMarked)
 {
   // From cell (80, 50) to cell (77, 52); listed row by row.
-  const ObservedCells observed = observe({floorAt(4.02F, 0.02F), floorAt(3.87F, 0.12F)});
+  const occupancy::ObservedCells observed = observe({floorAt(4.02F, 0.02F), floorAt(3.87F, 0.12F)});
   std::vector<std::pair<int, int>> seen;
   for (int j = 0; j < kGrid.cells_y; ++j) {
     for (int i = 0; i < kGrid.cells_x; ++i) {

@@ -28,7 +28,7 @@ GroundSurface surfaceOf(const geometry::Plane& plane, const Eigen::Isometry3d& t
   return surface;
 }
 
-const GridGeometry kGrid{GridParameters{}};
+const occupancy::GridGeometry kGrid{occupancy::GridParameters{}};
 
 TEST(GroundSurface, IsThePlaneInTheFloorFrame)
 {
@@ -75,7 +75,7 @@ TEST(GroundMap, WhereNothingWasSeenTheFloorCountsToo)
   EXPECT_NEAR(beyond.higher, 0.6F, 1e-6F);
   // A box on the level ground at the ramp's end, lower than the ramp would be if it went on.
   const float box[] = {4.02F, 0.02F, 0.4F};
-  BinaryGrid grid(kGrid);
+  occupancy::BinaryGrid grid(kGrid);
   PointView::CloudStrides strides;
   strides.row_step = strides.point_step = sizeof box;
   Projection{Projection::Parameters{}}.project(PointView::cloud(box, 1, 1, strides),
@@ -104,7 +104,7 @@ TEST(GroundMap, WhatStandsOnARampStandsAndTheRampDoesNot)
   points.push_back({3.52F, 2.0F, 0.15F + 0.65F});   // above max_height over the ramp
   GroundMap map;
   map.build(kGrid, {surface(0.0F, 0.0F, 0.1F, 2.0F), surface(0.1F, -0.2F, 2.1F, 4.9F)});
-  BinaryGrid grid(kGrid);
+  occupancy::BinaryGrid grid(kGrid);
   const PointView view = PointView::points(points.data(), static_cast<std::uint32_t>(points.size()), 1);
   Projection projection{Projection::Parameters{}};
   projection.project(view, Eigen::Isometry3d::Identity(), grid, {nullptr, &map});
@@ -141,9 +141,9 @@ TEST(GroundMap, WithWhatIsObservedTheSameStandsAndTheRampIsSeen)
   map.build(kGrid, {surface(0.0F, 0.0F, 0.1F, 1.0F), surface(-0.1F, 0.1F, 1.1F, 4.9F)});
   const PointView view = PointView::points(points.data(), kColumns, kRows);
   Projection projection{Projection::Parameters{}};
-  BinaryGrid plain(kGrid);
-  BinaryGrid with_observed(kGrid);
-  ObservedCells observed;
+  occupancy::BinaryGrid plain(kGrid);
+  occupancy::BinaryGrid with_observed(kGrid);
+  occupancy::ObservedCells observed;
   projection.project(view, Eigen::Isometry3d::Identity(), plain, {nullptr, &map});
   projection.project(view, Eigen::Isometry3d::Identity(), with_observed, {nullptr, &map}, {&observed});
   EXPECT_EQ(plain.count(), 80U);
@@ -164,7 +164,7 @@ TEST(GroundMap, ARampDownIsNoDrop)
   std::vector<GroundSurface> surfaces = {surface(0.0F, 0.0F, 0.1F, 2.0F), surfaceOf(down, to_floor)};
   surfaces[1].samples = surface(0.0F, 0.0F, 2.1F, 4.9F).samples;
   map.build(kGrid, surfaces);
-  BinaryGrid grid(kGrid);
+  occupancy::BinaryGrid grid(kGrid);
   const DropOffs drop_offs({0.1});
   drop_offs.mark(scene.view(), to_floor, grid);
   EXPECT_GT(grid.count(), 0U);

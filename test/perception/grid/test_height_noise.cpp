@@ -53,12 +53,12 @@ TEST_P(HeightSigmas, LeaveOutWhatIsNotAboveTheFloorBeyondDoubt)
     const HeightNoise noise({0.01, 0.0, 0.02}, floor, Eigen::Matrix4d::Identity() * 1e-4);
     Projection::Parameters parameters;
     parameters.height_sigmas = 3.0;
-    BinaryGrid grid{GridGeometry(GridParameters{})};
+    occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
     Projection projection(parameters, kernel());
     projection.project(view, to_floor, grid, {&noise, nullptr});
 
     const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
-    BinaryGrid expected{grid.geometry()};
+    occupancy::BinaryGrid expected{grid.geometry()};
     for (std::uint32_t v = 0; v < view.height(); ++v) {
       for (std::uint32_t u = 0; u < view.width(); ++u) {
         const auto cell = reference.cell(view, u, v);

@@ -82,7 +82,7 @@ private:
   std::vector<test::PackedPoint> cloud_;
 };
 
-const GridGeometry kGrid{GridParameters{}};
+const occupancy::GridGeometry kGrid{occupancy::GridParameters{}};
 
 std::vector<std::uint8_t> look(const PointView& points, const std::optional<Eigen::Matrix3f>& pixels)
 {
@@ -99,7 +99,7 @@ void forEachSlab(const std::vector<std::uint8_t>& free, Visit&& visit)
   const Projection::Parameters heights;
   for (int j = 0; j < kGrid.cells_y; ++j) {
     for (int i = 0; i < kGrid.cells_x; ++i) {
-      for (int k = 0; k < ObservedCells::kSlabs; ++k) {
+      for (int k = 0; k < occupancy::ObservedCells::kSlabs; ++k) {
         const Eigen::Vector3d middle(kGrid.origin_x + (i + 0.5) * kGrid.resolution,
                                      kGrid.origin_y + (j + 0.5) * kGrid.resolution,
                                      heights.min_height + (k + 0.5) * heights.slabHeight());

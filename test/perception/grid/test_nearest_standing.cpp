@@ -69,8 +69,8 @@ TEST_P(EveryKernel, FindsTheNearestOfTheReferenceInEachDirection)
     Projection::Parameters parameters;
     parameters.max_height = 1.0;
     const Eigen::Isometry3d to_floor = test::tiltedCamera(std::uniform_real_distribution<>(0.3, 1.2)(random));
-    BinaryGrid grid{GridGeometry(GridParameters{})};
-    ObservedCells observed;
+    occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
+    occupancy::ObservedCells observed;
     NearestStanding nearest;
     nearest.setUp(kAllRound, 1, noNoise(static_cast<float>(to_floor.translation().z())), 6.0);
     Projection(parameters, kernel()).project(frame.view(), to_floor, grid, {}, {&observed, &nearest});
@@ -114,8 +114,8 @@ protected:
   {
     NearestStanding nearest;
     nearest.setUp(kAllRound, 2, noise_, 6.0);
-    BinaryGrid grid{GridGeometry(GridParameters{})};
-    ObservedCells observed;
+    occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
+    occupancy::ObservedCells observed;
     const PointView view = PointView::points(points_.data(), 64, 2);
     Projection(parameters_)
         .project(ignored_.empty() ? view : view.without(ignored_), to_floor_, grid, rules,
@@ -201,7 +201,7 @@ TEST_F(PlainFrame, HeightsCountFromTheGround)
     for (float y = -1.0F; y <= 1.0F; y += 0.1F) (x < 1.0F ? floor : ramp).samples.emplace_back(x, y);
   }
   GroundMap map;
-  map.build(GridGeometry(GridParameters{}), {floor, ramp});
+  map.build(occupancy::GridGeometry(occupancy::GridParameters{}), {floor, ramp});
   put(3, 2.0F, 0.0F, 0.2F);   // on the ramp
   put(4, 2.5F, 0.0F, 0.45F);  // 15 cm above it
   EXPECT_FLOAT_EQ(rangeAt(0.0, {nullptr, &map}), 2.5F);

@@ -21,17 +21,18 @@ PointView rowOf(const std::vector<test::PackedPoint>& points)
   return PointView::points(points.data(), static_cast<std::uint32_t>(points.size()), 1);
 }
 
-BinaryGrid project(const PointView& points, const Eigen::Isometry3d& to_floor,
-                   const Projection::Parameters& parameters = {}, const GridParameters& grid = {})
+occupancy::BinaryGrid project(const PointView& points, const Eigen::Isometry3d& to_floor,
+                              const Projection::Parameters& parameters = {},
+                              const occupancy::GridParameters& grid = {})
 {
-  BinaryGrid occupancy{GridGeometry(grid)};
+  occupancy::BinaryGrid occupancy{occupancy::GridGeometry(grid)};
   Projection(parameters).project(points, to_floor, occupancy);
   return occupancy;
 }
 
 TEST(Projection, MarksTheCellThatAPointStandsIn)
 {
-  const BinaryGrid grid = project(rowOf({{1.02F, 0.51F, 0.3F, 0.0F}}), upright());
+  const occupancy::BinaryGrid grid = project(rowOf({{1.02F, 0.51F, 0.3F, 0.0F}}), upright());
   EXPECT_EQ(grid.count(), 1U);
   EXPECT_TRUE(grid.occupied(20, 60));
 }
@@ -53,11 +54,11 @@ TEST(Projection, TakesHeightsFromTheLowestToTheHighestBothIncluded)
 
 TEST(Projection, LeavesPointsBesideTheGridOut)
 {
-  const BinaryGrid grid = project(rowOf({{-0.001F, 0.0F, 0.3F, 0.0F},
-                                         {5.0F, 0.0F, 0.3F, 0.0F},
-                                         {1.0F, 2.5F, 0.3F, 0.0F},
-                                         {1.0F, -2.51F, 0.3F, 0.0F}}),
-                                  upright());
+  const occupancy::BinaryGrid grid = project(rowOf({{-0.001F, 0.0F, 0.3F, 0.0F},
+                                                    {5.0F, 0.0F, 0.3F, 0.0F},
+                                                    {1.0F, 2.5F, 0.3F, 0.0F},
+                                                    {1.0F, -2.51F, 0.3F, 0.0F}}),
+                                             upright());
   EXPECT_EQ(grid.count(), 0U);
 }
 
@@ -136,7 +137,7 @@ TEST(Projection, CountsThePointsOfACell)
 TEST(Projection, ForgetsTheLastFrame)
 {
   Projection projection{Projection::Parameters{}};
-  BinaryGrid grid{GridGeometry(GridParameters{})};
+  occupancy::BinaryGrid grid{occupancy::GridGeometry(occupancy::GridParameters{})};
   projection.project(rowOf({{1.0F, 0.0F, 0.3F, 0.0F}}), upright(), grid);
   projection.project(rowOf({{2.0F, 0.0F, 0.3F, 0.0F}}), upright(), grid);
   EXPECT_EQ(grid.count(), 1U);

@@ -30,10 +30,10 @@ Eigen::Isometry3d randomTransform(std::mt19937& random)
   return transform;
 }
 
-GridParameters randomGrid(std::mt19937& random)
+occupancy::GridParameters randomGrid(std::mt19937& random)
 {
   std::uniform_real_distribution<double> number(0.0, 1.0);
-  GridParameters grid;
+  occupancy::GridParameters grid;
   grid.grid_length = 1.0 + 5.0 * number(random);
   grid.grid_width = 1.0 + 5.0 * number(random);
   grid.grid_resolution = 0.02 + 0.2 * number(random);
@@ -47,13 +47,13 @@ TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
   for (int trial = 0; trial < 3000; ++trial) {
     const test::RandomFrame frame(random);
     const Eigen::Isometry3d to_floor = randomTransform(random);
-    const GridGeometry geometry(randomGrid(random));
+    const occupancy::GridGeometry geometry(randomGrid(random));
     Projection::Parameters parameters;
     parameters.min_points_per_cell = std::uniform_int_distribution<>(1, 3)(random);
 
-    BinaryGrid grid(geometry);
+    occupancy::BinaryGrid grid(geometry);
     Projection(parameters, kernel()).project(frame.view(), to_floor, grid);
-    const BinaryGrid expected =
+    const occupancy::BinaryGrid expected =
         test::ReferenceProjection(parameters, to_floor, geometry).project(frame.view());
     ASSERT_EQ(grid.cells(), expected.cells())
         << "trial " << trial << ": " << grid.count() << " cells, expected " << expected.count();
@@ -63,7 +63,8 @@ TEST_P(EveryKernel, FindsTheCellsOfTheReferenceBitForBit)
 }
 
 /// Whether any of a cell and its eight neighbours is set.
-bool isSetAround(const std::vector<std::uint8_t>& cells, const GridGeometry& geometry, std::size_t cell)
+bool isSetAround(const std::vector<std::uint8_t>& cells, const occupancy::GridGeometry& geometry,
+                 std::size_t cell)
 {
   const auto columns = static_cast<std::size_t>(geometry.cells_x);
   const int i = static_cast<int>(cell % columns);
@@ -86,11 +87,11 @@ TEST_P(EveryKernel, ObservesTheFloorAndTheSlabsOfTheReference)
     const test::RandomFrame frame(random);
     const PointView view = frame.view();
     const Eigen::Isometry3d to_floor = randomTransform(random);
-    BinaryGrid grid{GridGeometry(randomGrid(random))};
+    occupancy::BinaryGrid grid{occupancy::GridGeometry(randomGrid(random))};
     Projection::Parameters parameters;
     parameters.min_height = std::uniform_real_distribution<>(-0.1, 0.3)(random);
     parameters.max_height = parameters.min_height + std::uniform_real_distribution<>(0.1, 1.0)(random);
-    ObservedCells observed;
+    occupancy::ObservedCells observed;
     Projection(parameters, kernel()).project(view, to_floor, grid, {}, {&observed});
 
     const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
@@ -133,12 +134,12 @@ TEST_P(EveryKernel, ACellWithTooFewPointsHasNoHits)
   for (int trial = 0; trial < 300; ++trial) {
     const test::RandomFrame frame(random);
     const Eigen::Isometry3d to_floor = randomTransform(random);
-    const GridGeometry geometry(randomGrid(random));
+    const occupancy::GridGeometry geometry(randomGrid(random));
     Projection::Parameters parameters;
     parameters.min_points_per_cell = 3;
-    BinaryGrid plain(geometry);
-    BinaryGrid with_layers(geometry);
-    ObservedCells observed;
+    occupancy::BinaryGrid plain(geometry);
+    occupancy::BinaryGrid with_layers(geometry);
+    occupancy::ObservedCells observed;
     Projection(parameters, kernel()).project(frame.view(), to_floor, plain);
     Projection(parameters, kernel()).project(frame.view(), to_floor, with_layers, {}, {&observed});
     ASSERT_EQ(with_layers.cells(), plain.cells()) << "trial " << trial;
@@ -155,7 +156,7 @@ TEST_P(EveryKernel, CollectsThePointsThatStandInTheGrid)
     const test::RandomFrame frame(random);
     const PointView view = frame.view();
     const Eigen::Isometry3d to_floor = randomTransform(random);
-    const GridGeometry geometry(randomGrid(random));
+    const occupancy::GridGeometry geometry(randomGrid(random));
     const Projection::Parameters parameters;
     Projection(parameters, kernel()).collect(view, to_floor, geometry, collected);
 
@@ -189,12 +190,12 @@ TEST_P(EveryKernel, LeavesOutWhatLiesInTheIgnoredBoxes)
       boxes.add(randomTransform(random), {corner, corner + Eigen::Vector3d::Constant(2.0)});
     }
     const PointView view = frame.view();
-    BinaryGrid grid{GridGeometry(randomGrid(random))};
+    occupancy::BinaryGrid grid{occupancy::GridGeometry(randomGrid(random))};
     const Projection::Parameters parameters;
     Projection(parameters, kernel()).project(view.without(boxes), to_floor, grid);
 
     const test::ReferenceProjection reference(parameters, to_floor, grid.geometry());
-    BinaryGrid expected{grid.geometry()};
+    occupancy::BinaryGrid expected{grid.geometry()};
     for (std::uint32_t v = 0; v < view.height(); ++v) {
       for (std::uint32_t u = 0; u < view.width(); ++u) {
         const auto cell = reference.cell(view, u, v);
@@ -213,7 +214,7 @@ TEST_P(EveryKernel, RoundsAsTheReferenceDoesWherePointsLieOnTheEdgesOfCells)
 {
   std::mt19937 random(11);
   const Projection::Parameters parameters;
-  const GridGeometry geometry{GridParameters{}};
+  const occupancy::GridGeometry geometry{occupancy::GridParameters{}};
   const PinholeRays rays = PinholeRays::make(160, 120, 130.0, 130.0, 80.0, 60.0);
   for (int trial = 0; trial < 50; ++trial) {
     const Eigen::Isometry3d to_floor = randomTransform(random);
@@ -233,7 +234,7 @@ TEST_P(EveryKernel, RoundsAsTheReferenceDoesWherePointsLieOnTheEdgesOfCells)
     const test::ReferenceProjection reference(parameters, to_floor, geometry);
     for (const PointView& view :
          {PointView::points(cloud.data(), 160, 120), PointView::depth(depth.data(), 640, rays)}) {
-      BinaryGrid grid(geometry);
+      occupancy::BinaryGrid grid(geometry);
       Projection(parameters, kernel()).project(view, to_floor, grid);
       ASSERT_EQ(grid.cells(), reference.project(view).cells()) << "trial " << trial;
     }
@@ -260,7 +261,7 @@ TEST(ReferenceProjection, AgreesWithDoublePrecisionAwayFromTheEdges)
   constexpr double kRounding = 2e-6;  // [m]
   std::mt19937 random(3);
   const Projection::Parameters parameters;
-  const GridGeometry geometry{GridParameters{}};
+  const occupancy::GridGeometry geometry{occupancy::GridParameters{}};
   int compared = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const test::RandomFrame frame(random);

@@ -54,7 +54,7 @@ protected:
     const Eigen::Isometry3d to_floor = toFloor();
     const FloorScanner::View view{points, pixels, to_floor};
     scanner_.cover(view);
-    BinaryGrid occupancy{GridGeometry(GridParameters{})};
+    occupancy::BinaryGrid occupancy{occupancy::GridGeometry(occupancy::GridParameters{})};
     const FloorPointNoise noise(SensorNoise{}, 1.0F, Eigen::Matrix3f::Zero());
     Projection(Projection::Parameters{})
         .project(points, to_floor, occupancy, {}, {&observed_, &scanner_.beginFrame(view, noise)});
@@ -78,7 +78,7 @@ protected:
   double pitch_ = kPi / 4.0;
   FloorScanner::Parameters parameters_;
   FloorScanner scanner_{parameters_};
-  ObservedCells observed_;
+  occupancy::ObservedCells observed_;
   std::vector<Eigen::Vector2d> unseen_;
   std::vector<Eigen::Vector2d> drops_;
   LevelScan scan_;

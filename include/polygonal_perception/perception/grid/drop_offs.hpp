@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
@@ -38,8 +38,8 @@ public:
   /// @param to_floor_frame  from the input's frame, in whose origin the camera is, into the floor frame
   /// @param occupancy       cells are only ever added
   /// @param ground          that a drop counts from; null: the floor
-  void mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-            const GroundMap* ground = nullptr) const;
+  void mark(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+            occupancy::BinaryGrid& occupancy, const GroundMap* ground = nullptr) const;
 
 private:
   Parameters parameters_;

@@ -8,7 +8,7 @@
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/plane.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 
 namespace polygonal_perception::perception {
 
@@ -36,7 +36,7 @@ public:
 
   /// Makes the map anew. Allocates only when the grid or the number of surfaces grows.
   /// @param surfaces  the floor, and others with a sample each; a floor without samples is nowhere the nearest
-  void build(const GridGeometry& geometry, const std::vector<GroundSurface>& surfaces);
+  void build(const occupancy::GridGeometry& geometry, const std::vector<GroundSurface>& surfaces);
 
   /// [m] Farther than this from where it was seen nobody knows whether a ramp goes on: what stands there is looked for
   /// above the lower and up to the higher one of the ramp and the floor.
@@ -68,7 +68,7 @@ private:
   std::size_t cellOf(float x, float y) const;
   void findDistances(const GroundSurface& surface);
 
-  GridGeometry geometry_;
+  occupancy::GridGeometry geometry_;
   std::vector<GroundSurface> surfaces_;
   std::vector<std::array<std::uint8_t, 2>>
       surfaces_of_;               // of each cell: the nearest, and another or the same

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/grid/projection.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
@@ -25,7 +25,7 @@ public:
   /// The cells, and the heights of their slabs.
   struct Cells
   {
-    const GridGeometry& geometry;
+    const occupancy::GridGeometry& geometry;
     const Projection::Parameters& heights;
     const GroundMap* ground;  ///< that heights count from; null: the floor
   };

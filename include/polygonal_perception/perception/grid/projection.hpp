@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/observed_cells.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/ground_map.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
-#include "polygonal_perception/perception/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 
 namespace polygonal_perception::perception {
@@ -29,7 +29,7 @@ struct Observation
 {
   /// Its floor is where points less than min_height above the ground or below it were seen, and between two that are
   /// neighbours in a column of the image and lie at most three cells apart; its hits are in occupied cells.
-  ObservedCells* cells = nullptr;
+  occupancy::ObservedCells* cells = nullptr;
   /// In all directions, in the grid and beyond it (with min_points_per_cell > 1 in the grid alone). Only with cells.
   NearestStanding* nearest = nullptr;
 };
@@ -51,7 +51,7 @@ public:
     double height_sigmas = 0.0;   ///< points that are not higher than so many standard deviations are floor
 
     /// [m] Of the slabs in which ObservedCells has what stands.
-    double slabHeight() const { return (max_height - min_height) / ObservedCells::kSlabs; }
+    double slabHeight() const { return (max_height - min_height) / occupancy::ObservedCells::kSlabs; }
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit)
@@ -83,23 +83,25 @@ public:
   /// @param points          the frame; pixels without a return count for nothing
   /// @param to_floor_frame  from the input's frame into the floor frame
   /// @param occupancy       keeps its geometry; its cells are set anew
-  void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame, BinaryGrid& occupancy,
-               const HeightRules& rules = {}, const Observation& wanted = {});
+  void project(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+               occupancy::BinaryGrid& occupancy, const HeightRules& rules = {},
+               const Observation& wanted = {});
 
   /// Collects the points that stand in a grid, however few there are in a cell.
   /// @param geometry  of the grid
   /// @param standing  filled anew, in the floor frame [m]
-  void collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-               std::vector<Eigen::Vector3f>& standing, const HeightRules& rules = {});
+  void collect(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+               const occupancy::GridGeometry& geometry, std::vector<Eigen::Vector3f>& standing,
+               const HeightRules& rules = {});
 
 private:
   struct Workspace;
 
-  void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame, const GridGeometry& geometry,
-             const HeightRules& rules, const Observation& wanted);
-  void markAny(std::uint32_t rows, BinaryGrid& occupancy);
-  void markLayers(std::uint32_t rows, BinaryGrid& occupancy, const Observation& wanted);
-  void markMany(std::uint32_t rows, BinaryGrid& occupancy);
+  void begin(const PointView& points, const Eigen::Isometry3d& to_floor_frame,
+             const occupancy::GridGeometry& geometry, const HeightRules& rules, const Observation& wanted);
+  void markAny(std::uint32_t rows, occupancy::BinaryGrid& occupancy);
+  void markLayers(std::uint32_t rows, occupancy::BinaryGrid& occupancy, const Observation& wanted);
+  void markMany(std::uint32_t rows, occupancy::BinaryGrid& occupancy);
 
   Parameters parameters_;
   std::unique_ptr<Workspace> workspace_;

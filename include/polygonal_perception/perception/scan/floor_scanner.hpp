@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/occupancy/grid/binary_grid.hpp"
+#include "polygonal_perception/occupancy/grid/observed_cells.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
-#include "polygonal_perception/perception/grid/binary_grid.hpp"
 #include "polygonal_perception/perception/grid/height_noise.hpp"
-#include "polygonal_perception/perception/grid/observed_cells.hpp"
 #include "polygonal_perception/perception/input/point_view.hpp"
 #include "polygonal_perception/perception/scan/level_scan.hpp"
 
@@ -79,8 +79,8 @@ public:
 
   /// @param observed   of the frame's grid
   /// @param occupancy  with what only drop_height finds
-  void finishFrame(const View& view, const BinaryGrid& occupancy, const ObservedCells& observed,
-                   LevelScan& scan) const;
+  void finishFrame(const View& view, const occupancy::BinaryGrid& occupancy,
+                   const occupancy::ObservedCells& observed, LevelScan& scan) const;
 
   /// The scan where there is no floor: nobody knows anything.
   void makeUnknown(LevelScan& scan) const;

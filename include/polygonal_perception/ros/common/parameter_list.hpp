@@ -16,8 +16,9 @@ namespace polygonal_perception::ros_common {
 /// A parameter of a struct with a describe() (parameters/parameter_table.hpp), without the struct's type.
 struct ParameterEntry
 {
-  using Value = std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*,
-                             std::optional<Eigen::Vector3d>*, std::vector<parameters::FrameBox>*>;
+  using Value =
+      std::variant<double*, int*, bool*, std::string*, Eigen::Vector3d*, std::optional<Eigen::Vector3d>*,
+                   std::vector<parameters::FrameBox>*, std::vector<std::string>*>;
 
   std::string name;
   Value value;                             ///< the struct's member

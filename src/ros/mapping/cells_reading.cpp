@@ -1,0 +1,61 @@
+#include "ros/mapping/cells_reading.hpp"
+
+#include <cmath>
+
+#include "polygonal_perception/parameters/parameter_check.hpp"
+
+namespace polygonal_perception::ros_mapping {
+
+using parameters::numberText;
+
+CellsPlace placeOf(const ObservedCells& cells)
+{
+  CellsPlace place;
+  place.geometry.cells_x = static_cast<int>(cells.info.width);
+  place.geometry.cells_y = static_cast<int>(cells.info.height);
+  place.geometry.resolution = cells.info.resolution;
+  const auto& q = cells.info.origin.orientation;
+  // Of any rotation what turns about z.
+  const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  place.pose = Eigen::Translation2d(cells.info.origin.position.x, cells.info.origin.position.y) *
+               Eigen::Rotation2Dd(yaw);
+  return place;
+}
+
+std::string cellsError(const ObservedCells& cells)
+{
+  constexpr double kMostCells = 4e6;   // more take seconds
+  constexpr double kSmallest = 0.001;  // [m]
+  if (cells.header.frame_id.empty() || cells.header.frame_id.front() == '/') {
+    return "header.frame_id is '" + cells.header.frame_id +
+           "', accepted is the name of a tf frame, without a leading slash";
+  }
+  const double resolution = cells.info.resolution;
+  if (!(resolution >= kSmallest && resolution <= 10.0))
+    return "info.resolution is " + numberText(resolution) + ", accepted is 0.001 to 10 m";
+  if (!(cells.slab_height > 0.0F && std::isfinite(cells.slab_height)))
+    return "slab_height is " + numberText(cells.slab_height) + ", accepted is more than 0 m";
+  const double size = static_cast<double>(cells.info.width) * cells.info.height;
+  if (size > kMostCells)
+    return "info.width times info.height is " + numberText(size) + ", accepted is at most 4e6";
+  const struct
+  {
+    const char* name;
+    std::size_t size;
+  } layers[] = {{"hit", cells.hit.size()}, {"free", cells.free.size()}, {"floor", cells.floor.size()}};
+  for (const auto& layer : layers) {
+    if (static_cast<double>(layer.size) != size) {
+      return std::string(layer.name) + " has " + std::to_string(layer.size) + " cells, accepted is " +
+             numberText(size) + ", info.width times info.height";
+    }
+  }
+  const auto& p = cells.info.origin.position;
+  const auto& q = cells.info.origin.orientation;
+  const double turn = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  constexpr double kFarthest = 1e6;  // [m] cells farther away have no numbers
+  if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(turn - 1.0) < 0.01))
+    return "info.origin is no pose: accepted is a place within 1000 km and a unit quaternion";
+  return {};
+}
+
+}  // namespace polygonal_perception::ros_mapping

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <polygonal_perception/ObservedCells.h>
+#include <ros/time.h>
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polygonal_perception::ros_mapping {
+
+/// What is known of each sensor that a map is made from: whether it is silent, late or without a floor, and where its
+/// floor lies.
+class MapSources
+{
+public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit MapSources(const std::vector<std::string>& names);
+
+  /// How an observation counts.
+  struct Verdict
+  {
+    bool jumped_back = false;  ///< time has: everything before is of another time
+    bool may_clear = false;    ///< its floor was found, and it is not late
+  };
+
+  /// @param stamp      of an observation that has come in
+  /// @param max_delay  [s] by which it may be older than the newest one
+  Verdict judge(std::size_t source, const ros::Time& stamp, std::uint8_t floor_status, double max_delay,
+                Clock::time_point now);
+
+  /// @param grid_to_fixed  where tf says that the floor of a source lies; nothing: its cells came in the fixed frame
+  void setFloor(std::size_t source, const std::optional<Eigen::Isometry3d>& grid_to_fixed);
+
+  /// Forgets all stamps.
+  void reset();
+
+  /// What is wrong with a source now, or empty.
+  std::string complaint(std::size_t source, Clock::time_point now) const;
+  /// Which two sources have floors that do not lie in one plane, and by how much; or empty.
+  std::string disagreement() const;
+
+  std::size_t size() const { return sources_.size(); }
+  const std::string& name(std::size_t source) const { return sources_[source].name; }
+
+private:
+  struct Source
+  {
+    std::string name;
+    ros::Time last_stamp;
+    std::optional<Clock::time_point> last_arrival;
+    std::uint8_t floor_status = 0;
+    bool is_late = false;
+    std::optional<Eigen::Vector3d> floor_up;  // in the fixed frame
+    double floor_height = 0.0;                // [m]
+  };
+
+  std::vector<Source> sources_;
+  ros::Time newest_;
+};
+
+}  // namespace polygonal_perception::ros_mapping

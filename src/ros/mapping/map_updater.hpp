@@ -1,0 +1,64 @@
+#pragma once
+
+#include <polygonal_perception/ObservedCells.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polygonal_perception/mapping/polygon_map.hpp"
+#include "polygonal_perception/ros/common/expected.hpp"
+#include "polygonal_perception/ros/common/frame_statistics.hpp"
+#include "polygonal_perception/ros/common/tf_bridge.hpp"
+#include "polygonal_perception/ros/common/throttled_log.hpp"
+#include "ros/mapping/map_outputs.hpp"
+#include "ros/mapping/map_sources.hpp"
+#include "ros/mapping/polygon_map_parameters.hpp"
+
+namespace polygonal_perception::ros_mapping {
+
+/// Takes observations into the map, each placed by tf at its own stamp, and answers each.
+class MapUpdater
+{
+public:
+  MapUpdater(const PolygonMapParameters& parameters, const std::vector<std::string>& sources,
+             const MapOutputs& outputs, ros_common::FrameStatistics& statistics,
+             ros_common::ThrottledLog& log);
+
+  /// @param may_wait  whether it may come again when its transforms are not there yet
+  /// @return false: it is to come again
+  bool process(std::size_t source, const ObservedCells& cells, bool may_wait);
+
+  void configure(const PolygonMapParameters& parameters);
+  /// Forgets the map, and when observations came.
+  void clear();
+  /// Time has jumped back: forgets the transforms, too.
+  void resetTime(const std::string& reason);
+  const ros::Time& newestStamp() const { return newest_; }
+
+  mapping::PolygonMap& map() { return map_; }
+  const MapSources& sources() const { return sources_; }
+
+private:
+  /// Where an observation and the robot are.
+  struct Placement
+  {
+    Eigen::Isometry3d grid_to_fixed;
+    Eigen::Isometry3d robot_to_fixed;
+  };
+  ros_common::Expected<Placement> place(const std_msgs::Header& header) const;
+  void take(std::size_t source, const ObservedCells& cells, const Placement& placement);
+  void reject(const char* kind, const std::string& reason);
+
+  PolygonMapParameters parameters_;
+  const MapOutputs& outputs_;
+  ros_common::FrameStatistics& statistics_;
+  ros_common::ThrottledLog& log_;
+  ros_common::TfBridge tf_;
+  MapSources sources_;
+  mapping::PolygonMap map_;
+  float slab_height_ = 0.0F;  // [m] of what is in the map; 0: nothing yet
+  ros::Time newest_;
+};
+
+}  // namespace polygonal_perception::ros_mapping

@@ -1,0 +1,169 @@
+#include "polygonal_perception/ros/mapping/polygon_map_node.hpp"
+
+#include <ros/service_server.h>
+#include <ros/wall_timer.h>
+#include <std_srvs/Empty.h>
+
+#include <deque>
+
+#include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
+#include "polygonal_perception/ros/common/node_core.hpp"
+#include "ros/mapping/map_diagnostics.hpp"
+#include "ros/mapping/map_updater.hpp"
+
+namespace polygonal_perception::ros_mapping {
+
+namespace {
+
+constexpr char kTopic[] = "observed_cells";
+constexpr double kWaitingPeriod = 0.004;  // [s] between two looks at the observations that wait
+constexpr std::size_t kMostWaiting = 16;
+
+}  // namespace
+
+class PolygonMapNode::Implementation
+{
+public:
+  Implementation(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  ~Implementation() { core_.close(); }
+
+private:
+  using Clock = ros_common::FrameStatistics::Clock;
+
+  struct Waiting
+  {
+    std::size_t source;
+    ObservedCellsConstPtr cells;
+    Clock::time_point arrival;
+  };
+
+  void makeMembers();
+  void addInputs();
+  void advertiseClear();
+  void onCells(std::size_t source, const ObservedCellsConstPtr& cells);
+  void processWaiting();
+  void checkClock();
+
+  ros_common::NodeCore<PolygonMapParameters> core_;
+  std::unique_ptr<MapOutputs> outputs_;
+  std::unique_ptr<MapUpdater> updater_;
+  std::deque<Waiting> waiting_;
+  ros::Time last_now_;
+  ros::ServiceServer clear_;
+  ros::WallTimer waiting_timer_;
+  std::unique_ptr<ros_common::DiagnosticsReporter> diagnostics_;
+};
+
+PolygonMapNode::Implementation::Implementation(const ros::NodeHandle& handle,
+                                               const ros::NodeHandle& private_handle)
+    : core_(handle, private_handle, ros_common::FrameStatistics::ofStages<mapping::PolygonMap::StageTimes>())
+{
+  core_.make([this] {
+    makeMembers();
+    return core_.setSubscribed(true);
+  });
+}
+
+void PolygonMapNode::Implementation::makeMembers()
+{
+  outputs_ = std::make_unique<MapOutputs>(core_.private_handle, [] {});
+  addOutputs(*outputs_);
+  const std::vector<std::string>& sources = core_.parameters->sources;
+  updater_ = std::make_unique<MapUpdater>(*core_.parameters,
+                                          sources.empty() ? std::vector<std::string>{kTopic} : sources,
+                                          *outputs_, core_.statistics, core_.log);
+  core_.parameters.serve(core_.gate,
+                         [this](const PolygonMapParameters& parameters) { updater_->configure(parameters); });
+  addInputs();
+  advertiseClear();
+  constexpr bool kOneShot = false;
+  constexpr bool kStarted = false;
+  waiting_timer_ = core_.handle.createWallTimer(
+      ros::WallDuration(kWaitingPeriod),
+      ros_common::gated(core_.gate, [this](const ros::WallTimerEvent&) { processWaiting(); }), kOneShot,
+      kStarted);
+  diagnostics_ = std::make_unique<ros_common::DiagnosticsReporter>(
+      core_.handle, core_.private_handle, core_.gate, core_.log, [this] { return core_.setSubscribed(true); },
+      [this](auto& status) {
+        checkClock();
+        const auto now = Clock::now();
+        fillDiagnostics(updater_->sources(), core_.statistics, now, status);
+        core_.statistics.startReport(now);
+      });
+}
+
+void PolygonMapNode::Implementation::addInputs()
+{
+  const std::vector<std::string>& sources = core_.parameters->sources;
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.size()); ++k) {
+    const std::string topic = sources.empty() ? kTopic : sources[k] + "/" + kTopic;
+    core_.inputs.add<ObservedCells>(topic.c_str(),
+                                    [this, k](const ObservedCellsConstPtr& cells) { onCells(k, cells); });
+  }
+}
+
+void PolygonMapNode::Implementation::advertiseClear()
+{
+  using std_srvs::Empty;
+  const boost::function<bool(Empty::Request&, Empty::Response&)> clear =
+      [this, gate = core_.gate](Empty::Request& /*request*/, Empty::Response& /*response*/) {
+        const auto inside = gate->enter();
+        if (!inside.owns_lock()) return false;
+        updater_->clear();
+        return true;
+      };
+  clear_ = core_.private_handle.advertiseService("clear", clear);
+}
+
+void PolygonMapNode::Implementation::onCells(std::size_t source, const ObservedCellsConstPtr& cells)
+{
+  checkClock();
+  const auto now = Clock::now();
+  core_.statistics.received(cells->header.seq, now);
+  waiting_.push_back({source, cells, now});
+  processWaiting();
+}
+
+void PolygonMapNode::Implementation::processWaiting()
+{
+  const auto now = Clock::now();
+  while (!waiting_.empty()) {
+    const Waiting& next = waiting_.front();
+    const double waited = std::chrono::duration<double>(now - next.arrival).count();
+    const bool may_wait = waited < core_.parameters->tf_timeout && waiting_.size() <= kMostWaiting;
+    if (!updater_->process(next.source, *next.cells, may_wait)) break;
+    waiting_.pop_front();
+  }
+  if (waiting_.empty()) {
+    waiting_timer_.stop();
+  } else {
+    waiting_timer_.start();
+  }
+}
+
+void PolygonMapNode::Implementation::checkClock()
+{
+  // Observations of the new time may come before its clock does: then the newest stamp is not far ahead any more.
+  constexpr double kClockLag = 1.0;  // [s]
+  const ros::Time now = ros::Time::now();
+  if (now < last_now_ && now.toSec() + kClockLag < updater_->newestStamp().toSec()) {
+    updater_->resetTime("the clock was set back");
+    core_.statistics.dropped(waiting_.size());
+    waiting_.clear();
+  }
+  last_now_ = now;
+}
+
+PolygonMapNode::PolygonMapNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : implementation_(std::make_unique<Implementation>(handle, private_handle))
+{
+}
+PolygonMapNode::~PolygonMapNode() = default;
+
+std::string PolygonMapNode::parameterTable()
+{
+  PolygonMapParameters defaults;
+  return ros_common::parameterTable(ros_common::listParameters(defaults));
+}
+
+}  // namespace polygonal_perception::ros_mapping
