@@ -35,7 +35,7 @@ ROOMS = [
     Room('perception/segmentation', 'perception', ['Eigen/'],
          BASE + ['perception/' + room for room in ('input', 'planes', 'floor', 'grid', 'polygons')]),
     Room('perception', 'perception', ['Eigen/'], BASE + ['perception']),
-    Room('mapping', 'mapping', ['Eigen/'], BASE),
+    Room('mapping', 'mapping', ['Eigen/', 'nlohmann/'], BASE),
     Room('planning', 'planning', ['Eigen/'], BASE),
     Room('ros/common', 'ros_common', ANY, BASE),
     Room('ros/perception', 'ros_perception', ANY, BASE + ['ros/common', 'perception']),
