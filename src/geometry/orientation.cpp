@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -105,6 +106,17 @@ Orientation orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, cons
     return signOf(product(ax.value, by.value).error - product(ay.value, bx.value).error);
   }
   return expandedOrientation(a, b, c);
+}
+
+Orientation orientation(const RingView& ring)
+{
+  // A simple ring turns at its lowest leftmost vertex as it runs as a whole.
+  const auto* lowest =
+      std::min_element(ring.begin(), ring.end(), [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+        return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+      });
+  const auto k = static_cast<std::size_t>(lowest - ring.begin());
+  return orientation(ring[ring.previous(k)], *lowest, ring[ring.next(k)]);
 }
 
 }  // namespace polygonal_perception::geometry

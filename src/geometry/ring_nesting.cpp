@@ -10,6 +10,12 @@
 
 namespace polygonal_perception::geometry {
 
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+}  // namespace
+
 std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons)
 {
   const std::size_t count = polygons.rings.size();
@@ -23,11 +29,15 @@ std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons)
     boxes[r] = bounds(ring);
     boundary_of[r] = polygons.rings[r].hole ? boundary_of[r - 1] : r;
   }
-  std::vector<std::vector<std::size_t>> around(count);  // the rings that each one lies in
+  // The innermost ring around each one, which leads to the others. Rings do not meet, so that the box of one in
+  // another lies inside of the other's box. Lists of all around each would need memory for a square of rings.
+  std::vector<std::size_t> around(count, kNone);
   const auto note = [&](std::size_t inner, std::size_t outer) {
+    if (boxes[outer].min().x() >= boxes[inner].min().x()) return;
     const Eigen::Vector2d& vertex = polygons.view(polygons.rings[inner])[0];
-    if (locate(vertex, polygons.view(polygons.rings[outer])) == Location::kInside)
-      around[inner].push_back(outer);
+    if (locate(vertex, polygons.view(polygons.rings[outer])) != Location::kInside) return;
+    if (around[inner] == kNone || boxes[outer].min().x() > boxes[around[inner]].min().x())
+      around[inner] = outer;
   };
   anyOverlappingPair(boxes, [&](std::uint32_t i, std::uint32_t j) {
     note(i, j);
@@ -35,24 +45,28 @@ std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons)
     return false;
   });
 
+  std::vector<std::size_t> crossed;  // the boundaries of the holes around a ring
   for (std::size_t r = 0; r < count; ++r) {
     const Eigen::Vector2d& vertex = polygons.view(polygons.rings[r])[0];
-    const auto is_in = [&](auto holds) { return std::any_of(around[r].begin(), around[r].end(), holds); };
     if (polygons.rings[r].hole) {
-      if (!is_in([&](std::size_t outer) { return outer == boundary_of[r]; })) {
-        return invalidity(Defect::kHoleOutside, r, vertex, "is a hole outside of its boundary");
+      bool in_boundary = false;
+      bool in_sibling = false;
+      for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
+        in_boundary = in_boundary || outer == boundary_of[r];
+        in_sibling = in_sibling || (polygons.rings[outer].hole && boundary_of[outer] == boundary_of[r]);
       }
-      const auto is_sibling = [&](std::size_t outer) {
-        return polygons.rings[outer].hole && boundary_of[outer] == boundary_of[r];
-      };
-      if (is_in(is_sibling)) return invalidity(Defect::kHoleOutside, r, vertex, "is a hole in a hole");
+      if (!in_boundary)
+        return invalidity(Defect::kHoleOutside, r, vertex, "is a hole outside of its boundary");
+      if (in_sibling) return invalidity(Defect::kHoleOutside, r, vertex, "is a hole in a hole");
       continue;
     }
-    for (const std::size_t outer : around[r]) {
-      const auto is_hole_of_outer = [&](std::size_t other) {
-        return polygons.rings[other].hole && boundary_of[other] == outer;
-      };
-      if (polygons.rings[outer].hole || is_in(is_hole_of_outer)) continue;
+    crossed.clear();
+    for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
+      if (polygons.rings[outer].hole) crossed.push_back(boundary_of[outer]);
+    }
+    std::sort(crossed.begin(), crossed.end());
+    for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
+      if (polygons.rings[outer].hole || std::binary_search(crossed.begin(), crossed.end(), outer)) continue;
       return invalidity(Defect::kPolygonsOverlap, r, vertex,
                         "lies inside of the polygon of ring " + std::to_string(outer));
     }

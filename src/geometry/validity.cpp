@@ -1,7 +1,5 @@
 #include "polygonal_perception/geometry/validity.hpp"
 
-#include <algorithm>
-
 #include "geometry/invalidity.hpp"
 #include "geometry/ring_contacts.hpp"
 #include "geometry/ring_nesting.hpp"
@@ -26,23 +24,12 @@ std::optional<Invalidity> findBadVertex(const RingView& ring, std::size_t r)
   return std::nullopt;
 }
 
-/// A simple ring turns at its lowest leftmost vertex as it runs as a whole.
-Orientation orientationOf(const RingView& ring)
-{
-  const auto* lowest =
-      std::min_element(ring.begin(), ring.end(), [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
-        return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-      });
-  const auto k = static_cast<std::size_t>(lowest - ring.begin());
-  return orientation(ring[ring.previous(k)], *lowest, ring[ring.next(k)]);
-}
-
 std::optional<Invalidity> findWrongOrientation(const PolygonSet& polygons)
 {
   for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
     const RingView ring = polygons.view(polygons.rings[r]);
     const bool hole = polygons.rings[r].hole;
-    if ((orientationOf(ring) == Orientation::kClockwise) == hole) continue;
+    if ((orientation(ring) == Orientation::kClockwise) == hole) continue;
     return invalidity(Defect::kWrongOrientation, r, ring[0],
                       hole ? "is a hole and runs counter-clockwise" : "is a boundary and runs clockwise");
   }

@@ -84,6 +84,20 @@ TEST(Orientation, ByHand)
   EXPECT_EQ(orientation({2, 3}, {2, 3}, {5, 7}), Orientation::kCollinear) << "two points are the same";
 }
 
+TEST(Orientation, OfARing)
+{
+  using Vertices = std::vector<Eigen::Vector2d>;
+  const Vertices square = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  EXPECT_EQ(orientation(square), Orientation::kCounterClockwise);
+  EXPECT_EQ(orientation(Vertices(square.rbegin(), square.rend())), Orientation::kClockwise);
+  const Vertices upright_first = {{0, 0}, {1, 1}, {0, 4}, {0, 2}};
+  EXPECT_EQ(orientation(upright_first), Orientation::kCounterClockwise) << "leftmost vertices in a line";
+  // Its area is 2^-53 of that of its box, and comes out as 0.
+  const Vertices sliver = {{12, 12}, {24, 24}, {0.5, 0.5 + 0x1p-53}};
+  EXPECT_EQ(orientation(sliver), Orientation::kCounterClockwise);
+  EXPECT_EQ(orientation(Vertices{{0, 0}, {1, 1}, {2, 2}}), Orientation::kCollinear);
+}
+
 TEST(Orientation, OneUlpBesideALine)
 {
   // The classic in which the plain formula is wrong: points around (0.5, 0.5) and the line to (24, 24).

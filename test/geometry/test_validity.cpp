@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -105,6 +106,31 @@ TEST(Validity, WrongNesting)
   expectDefect({{kInHole}, {kSquare}}, Defect::kPolygonsOverlap, 0, {3, 3});
   expectDefect({{kSquare}, {kHole, true}, {kInHole}, {{{3.5, 3.25}, {4.5, 3.25}, {4, 4}}}},
                Defect::kPolygonsOverlap, 3, {3.5, 3.25});
+}
+
+/// Squares around one point, each in the one before it: boundaries and holes in turn.
+PolygonSet squares(int count)
+{
+  PolygonSet polygons;
+  for (int k = 0; k < count; ++k) {
+    const double side = count - k;
+    Vertices square = {{-side, -side}, {side, -side}, {side, side}, {-side, side}};
+    if (k % 2 == 1) std::reverse(square.begin(), square.end());
+    polygons.append(square, k % 2 == 1);
+  }
+  return polygons;
+}
+
+TEST(Validity, RingsDeepInOneAnother)
+{
+  PolygonSet polygons = squares(3000);
+  const auto found = findDefect(polygons);
+  EXPECT_FALSE(found) << found->text;
+  // Without one of the holes, what was in it lies in the polygon itself.
+  polygons.rings.erase(polygons.rings.begin() + 1001);
+  const auto overlap = findDefect(polygons);
+  ASSERT_TRUE(overlap);
+  EXPECT_EQ(overlap->text, "ring 1001 lies inside of the polygon of ring 1000 at (-1998, -1998)");
 }
 
 /// Stars in the cells of a lattice, which cannot meet.

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/geometry/ring_view.hpp"
 
 /// Predicates whose answers are those of exact arithmetic on the doubles that go in: no tolerance, no wrong
 /// sign. A floating-point filter decides most of them, exact expansions the rest (J. R. Shewchuk, *Adaptive
@@ -27,6 +28,12 @@ enum class Orientation : std::int8_t
 ///         kCollinear on it and where two of the points are the same
 POLYGONAL_PERCEPTION_EXPORT Orientation orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                                     const Eigen::Vector2d& c);
+
+/// Which way a ring runs as a whole.
+///
+/// @param ring  at least 3 vertices; of one that meets itself the answer means nothing
+/// @return kCollinear only for a ring that meets itself
+POLYGONAL_PERCEPTION_EXPORT Orientation orientation(const RingView& ring);
 
 /// Whether p lies on the closed segment from a to b. A segment may be a single point.
 POLYGONAL_PERCEPTION_EXPORT bool isOnSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
