@@ -9,8 +9,8 @@
 #include "polygonal_perception/geometry/predicates.hpp"
 #include "polygonal_perception/geometry/validity.hpp"
 #include "polygonal_perception/mapping/geojson.hpp"
-#include "polygonal_perception/perception/grid/inflation.hpp"
-#include "polygonal_perception/perception/polygons/polygonizer.hpp"
+#include "polygonal_perception/occupancy/grid/inflation.hpp"
+#include "polygonal_perception/occupancy/polygons/polygonizer.hpp"
 #include "reference/random_grids.hpp"
 #include "support/same_map.hpp"
 
@@ -34,15 +34,15 @@ MapFile randomMap(std::mt19937& random, int largest)
   std::uniform_int_distribution<int> side(1, largest);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   const double resolution = random() % 2 == 0 ? 0.05 : 0.01 + 0.1 * std::abs(share(random));
-  const perception::BinaryGrid grid =
+  const occupancy::BinaryGrid grid =
       reference::randomGrid(random(), side(random), side(random), resolution, random);
   MapFile map;
   map.frame_id = random() % 5 == 0 ? "" : "map_" + std::to_string(random());
   map.inflation_radius = resolution * static_cast<double>(random() % 5);
-  perception::BinaryGrid inflated;
+  occupancy::BinaryGrid inflated;
   inflated.reset(grid.geometry());
-  perception::Inflation({map.inflation_radius}).inflate(grid, inflated);
-  perception::Polygonizer({resolution * static_cast<double>(random() % 4)})
+  occupancy::Inflation({map.inflation_radius}).inflate(grid, inflated);
+  occupancy::Polygonizer({resolution * static_cast<double>(random() % 4)})
       .polygonize(grid, inflated, map.inflation_radius, map.polygons);
   if (random() % 2 == 0) {
     const double magnitude = std::pow(10.0, 4.0 * share(random));
