@@ -59,6 +59,9 @@ Fault readCells(const Json& json, std::vector<std::vector<std::uint8_t>>& layers
   if (auto fault = readNumber(json, "resolution", cells.resolution)) return fault;
   if (auto fault = readNumber(json, "origin_x", cells.origin_x)) return fault;
   if (auto fault = readNumber(json, "origin_y", cells.origin_y)) return fault;
+  if (findMember(json, "slab_height") != nullptr) {
+    if (auto fault = readNumber(json, "slab_height", cells.slab_height)) return fault;
+  }
   const Json* const members = findMember(json, "layers");
   if (members == nullptr || !members->is_array()) return wrongMember("layers", members, "an array");
   if (members->size() > kMostSavedLayers)

@@ -70,6 +70,7 @@ private:
              ", \"cells_y\": " + std::to_string(cells.cells_y) +
              ", \"resolution\": " + shortText(cells.resolution) +
              ", \"origin_x\": " + shortText(cells.origin_x) + ", \"origin_y\": " + shortText(cells.origin_y) +
+             (cells.slab_height > 0.0 ? ", \"slab_height\": " + shortText(cells.slab_height) : "") +
              ", \"layers\": [";
     const char* before = "\n";
     for (const CellLayer& layer : cells.layers) {

@@ -83,6 +83,8 @@ std::optional<std::string> findCellsFault(const SavedCells& cells)
   if (auto fault =
           findGridFault(cells.cells_x, cells.cells_y, cells.resolution, cells.origin_x, cells.origin_y))
     return "cells: " + *fault;
+  if (!std::isfinite(cells.slab_height) || cells.slab_height < 0.0)
+    return "cells: slab_height is " + anyText(cells.slab_height) + ", accepted is a finite number from 0 [m]";
   if (cells.layers.size() > kMostSavedLayers)
     return "cells: there are more than " + std::to_string(kMostSavedLayers) + " layers";
   const std::size_t count = static_cast<std::size_t>(cells.cells_x) * static_cast<std::size_t>(cells.cells_y);

@@ -19,8 +19,10 @@ public:
       : c_(rotation(0, 0)), s_(rotation(1, 0))
   {
     const double shadow = std::abs(c_) + std::abs(s_);  // of a turned square of side 1
-    of_straight_ = 0.5 * (straight + turned * shadow);
-    of_turned_ = 0.5 * (turned + straight * shadow);
+    // Squares that only touch, as those of one lattice do, do not overlap, however numbers are rounded.
+    constexpr double kRounding = 1e-9;
+    of_straight_ = 0.5 * (straight + turned * shadow) - kRounding;
+    of_turned_ = 0.5 * (turned + straight * shadow) - kRounding;
   }
 
   /// [m] How far apart along x or y two middles may be.

@@ -250,8 +250,9 @@ TEST_F(RollingMapTest, EveryPointOfAHitIsCoveredWhereverTheGridLies)
     add();
     const auto bounds = map_.geometry().bounds();
     for (const Eigen::Vector2d& point : points) {
-      if (bounds.contains(point))
+      if (bounds.contains(point)) {
         ASSERT_TRUE(isOccupied(point.x(), point.y())) << "trial " << trial << ": " << point.transpose();
+      }
     }
     // A square of 10 cm reaches into at most nine of them.
     ASSERT_LE(occupiedCells(), 20U * 9U);

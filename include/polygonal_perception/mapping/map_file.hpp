@@ -28,6 +28,7 @@ struct SavedCells
   double origin_x = 0.0;    ///< [m] in the map's frame
   double origin_y = 0.0;    ///< [m]
   std::vector<CellLayer> layers;
+  double slab_height = 0.0;  ///< [m] of the heights that a layer may hold; 0: none does
 };
 
 /// What a map file holds.

@@ -13,7 +13,9 @@ CellsPlace placeOf(const ObservedCells& cells)
   CellsPlace place;
   place.geometry.cells_x = static_cast<int>(cells.info.width);
   place.geometry.cells_y = static_cast<int>(cells.info.height);
-  place.geometry.resolution = cells.info.resolution;
+  // A float's 0.05 is 0.05: the map's lattice is made of it.
+  constexpr double kMicrometres = 1e6;
+  place.geometry.resolution = std::round(kMicrometres * cells.info.resolution) / kMicrometres;
   const auto& q = cells.info.origin.orientation;
   // Of any rotation what turns about z.
   const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));

@@ -21,23 +21,24 @@ MapSources::MapSources(const std::vector<std::string>& names)
   }
 }
 
-MapSources::Verdict MapSources::judge(std::size_t index, const ros::Time& stamp, std::uint8_t floor_status,
-                                      double max_delay, Clock::time_point now)
+bool MapSources::jumpsBack(std::size_t source, const ros::Time& stamp) const
 {
   // A driver's stamps may be some frames out of order, but not by so much.
   constexpr double kJump = 1.0;  // [s]
-  Verdict verdict;
-  verdict.jumped_back = stamp + ros::Duration(kJump) < sources_[index].last_stamp;
-  if (verdict.jumped_back) reset();
+  return stamp + ros::Duration(kJump) < sources_[source].last_stamp;
+}
+
+bool MapSources::mayClear(std::size_t index, const ros::Time& stamp, std::uint8_t floor_status,
+                          double max_delay, Clock::time_point now)
+{
   Source& source = sources_[index];
-  const bool is_old = !source.last_stamp.isZero() && stamp <= source.last_stamp;
+  const bool is_repeated = stamp <= source.last_stamp;
   source.is_late = stamp + ros::Duration(max_delay) < newest_;
   source.floor_status = floor_status;
   source.last_arrival = now;
   source.last_stamp = std::max(source.last_stamp, stamp);
   newest_ = std::max(newest_, stamp);
-  verdict.may_clear = floor_status == FloorPlane::FOUND && !source.is_late && !is_old;
-  return verdict;
+  return floor_status == FloorPlane::FOUND && !source.is_late && !is_repeated;
 }
 
 void MapSources::setFloor(std::size_t source, const std::optional<Eigen::Isometry3d>& grid_to_fixed)

@@ -21,16 +21,13 @@ public:
 
   explicit MapSources(const std::vector<std::string>& names);
 
-  /// How an observation counts.
-  struct Verdict
-  {
-    bool jumped_back = false;  ///< time has: everything before is of another time
-    bool may_clear = false;    ///< its floor was found, and it is not late
-  };
+  /// Whether an observation of that stamp means that time has jumped back: everything before is of another time.
+  bool jumpsBack(std::size_t source, const ros::Time& stamp) const;
 
-  /// @param stamp      of an observation that has come in
+  /// Notes an observation that has come in.
   /// @param max_delay  [s] by which it may be older than the newest one
-  Verdict judge(std::size_t source, const ros::Time& stamp, std::uint8_t floor_status, double max_delay,
+  /// @return whether it may clear: its floor was found, and it is not late
+  bool mayClear(std::size_t source, const ros::Time& stamp, std::uint8_t floor_status, double max_delay,
                 Clock::time_point now);
 
   /// @param grid_to_fixed  where tf says that the floor of a source lies; nothing: its cells came in the fixed frame

@@ -7,6 +7,7 @@
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "ros/mapping/cells_reading.hpp"
+#include "ros/mapping/map_archive.hpp"
 
 namespace polygonal_perception::ros_mapping {
 
@@ -42,6 +43,7 @@ bool MapUpdater::process(std::size_t source, const ObservedCells& cells, bool ma
     reject("cells", sources_.name(source) + ": " + error);
     return true;
   }
+  if (sources_.jumpsBack(source, cells.header.stamp)) resetTime("stamps of " + sources_.name(source));
   constexpr float kSame = 1e-4F;  // [m]
   if (slab_height_ > 0.0F && std::abs(cells.slab_height - slab_height_) > kSame) {
     reject("slabs",
@@ -78,9 +80,8 @@ ros_common::Expected<MapUpdater::Placement> MapUpdater::place(const std_msgs::He
 
 void MapUpdater::take(std::size_t source, const ObservedCells& cells, const Placement& placement)
 {
-  const auto verdict = sources_.judge(source, cells.header.stamp, cells.floor_status, parameters_.max_delay,
-                                      MapSources::Clock::now());
-  if (verdict.jumped_back) resetTime("stamps of " + sources_.name(source));
+  const bool may_clear = sources_.mayClear(source, cells.header.stamp, cells.floor_status,
+                                           parameters_.max_delay, MapSources::Clock::now());
   newest_ = std::max(newest_, cells.header.stamp);
   const bool is_placed_by_tf = cells.header.frame_id != parameters_.fixed_frame;
   if (cells.floor_status == FloorPlane::FOUND && is_placed_by_tf)
@@ -89,16 +90,41 @@ void MapUpdater::take(std::size_t source, const ObservedCells& cells, const Plac
 
   const CellsPlace in_message = placeOf(cells);
   const Eigen::Isometry2d pose = inPlane(placement.grid_to_fixed) * in_message.pose;
-  map_.update({in_message.geometry, pose, cells.hit.data(), cells.free.data(), cells.floor.data(),
-               verdict.may_clear, cells.header.stamp.toSec()},
+  map_.update({in_message.geometry, pose, cells.hit.data(), cells.free.data(), cells.floor.data(), may_clear,
+               cells.header.stamp.toSec()},
               placement.robot_to_fixed.translation().head<2>());
-  const mapping::PolygonMap::Result& result = map_.make(outputs_.needs());
+  const auto made = publish(cells.header, cells.floor_status);
+  statistics_.answered(made.times, made.messages);
+}
 
-  MapResult answer{cells.header, cells.floor_status, result, parameters_.map.inflation.robot_radius};
-  answer.header.frame_id = parameters_.fixed_frame;
-  const auto made = ros_common::FrameStatistics::Clock::now();
-  outputs_.publish(answer);
-  statistics_.answered(result.times, ros_common::FrameStatistics::Clock::now() - made);
+MapUpdater::Published MapUpdater::publish(std_msgs::Header header, std::uint8_t floor_status)
+{
+  const mapping::PolygonMap::Result& result = map_.make(outputs_.needs());
+  header.frame_id = parameters_.fixed_frame;
+  const auto start = ros_common::FrameStatistics::Clock::now();
+  outputs_.publish({header, floor_status, result, parameters_.map.inflation.robot_radius});
+  return {result.times, ros_common::FrameStatistics::Clock::now() - start};
+}
+
+ros_common::Expected<std::string> MapUpdater::save(const std::string& path)
+{
+  return saveMap(map_, parameters_.fixed_frame, slab_height_, path);
+}
+
+ros_common::Expected<std::string> MapUpdater::load(const std::string& path)
+{
+  using Result = ros_common::Expected<std::string>;
+  constexpr double kUsualResolution = 0.05;  // [m]
+  const bool has_map = map_.map().isActive();
+  const ros::Time stamp = newest_.isZero() ? ros::Time::now() : newest_;
+  const auto loaded = loadMap(map_, parameters_.fixed_frame,
+                              has_map ? map_.map().geometry().resolution : kUsualResolution, stamp, path);
+  if (!loaded) return Result::failure(loaded.error());
+  slab_height_ = static_cast<float>(loaded->slab_height);
+  std_msgs::Header header;
+  header.stamp = stamp;
+  publish(header, FloorPlane::NOT_FOUND);
+  return loaded->text;
 }
 
 void MapUpdater::configure(const PolygonMapParameters& parameters)

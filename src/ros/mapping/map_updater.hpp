@@ -36,7 +36,11 @@ public:
   void resetTime(const std::string& reason);
   const ros::Time& newestStamp() const { return newest_; }
 
-  mapping::PolygonMap& map() { return map_; }
+  /// @return what was done, or why not
+  ros_common::Expected<std::string> save(const std::string& path);
+  /// The map is published once it is loaded.
+  ros_common::Expected<std::string> load(const std::string& path);
+
   const MapSources& sources() const { return sources_; }
 
 private:
@@ -48,6 +52,12 @@ private:
   };
   ros_common::Expected<Placement> place(const std_msgs::Header& header) const;
   void take(std::size_t source, const ObservedCells& cells, const Placement& placement);
+  struct Published
+  {
+    mapping::PolygonMap::StageTimes times;
+    ros_common::FrameStatistics::Clock::duration messages;
+  };
+  Published publish(std_msgs::Header header, std::uint8_t floor_status);
   void reject(const char* kind, const std::string& reason);
 
   PolygonMapParameters parameters_;

@@ -1,5 +1,6 @@
 #include "polygonal_perception/ros/mapping/polygon_map_node.hpp"
 
+#include <polygonal_perception/MapFile.h>
 #include <ros/service_server.h>
 #include <ros/wall_timer.h>
 #include <std_srvs/Empty.h>
@@ -40,6 +41,8 @@ private:
   void makeMembers();
   void addInputs();
   void advertiseClear();
+  template <class Action>
+  ros::ServiceServer advertiseFile(const char* name, Action action);
   void onCells(std::size_t source, const ObservedCellsConstPtr& cells);
   void processWaiting();
   void checkClock();
@@ -50,6 +53,8 @@ private:
   std::deque<Waiting> waiting_;
   ros::Time last_now_;
   ros::ServiceServer clear_;
+  ros::ServiceServer save_;
+  ros::ServiceServer load_;
   ros::WallTimer waiting_timer_;
   std::unique_ptr<ros_common::DiagnosticsReporter> diagnostics_;
 };
@@ -76,6 +81,8 @@ void PolygonMapNode::Implementation::makeMembers()
                          [this](const PolygonMapParameters& parameters) { updater_->configure(parameters); });
   addInputs();
   advertiseClear();
+  save_ = advertiseFile("save", [this](const std::string& path) { return updater_->save(path); });
+  load_ = advertiseFile("load", [this](const std::string& path) { return updater_->load(path); });
   constexpr bool kOneShot = false;
   constexpr bool kStarted = false;
   waiting_timer_ = core_.handle.createWallTimer(
@@ -113,6 +120,21 @@ void PolygonMapNode::Implementation::advertiseClear()
         return true;
       };
   clear_ = core_.private_handle.advertiseService("clear", clear);
+}
+
+template <class Action>
+ros::ServiceServer PolygonMapNode::Implementation::advertiseFile(const char* name, Action action)
+{
+  const boost::function<bool(MapFile::Request&, MapFile::Response&)> serve =
+      [gate = core_.gate, action](MapFile::Request& request, MapFile::Response& response) {
+        const auto inside = gate->enter();
+        if (!inside.owns_lock()) return false;
+        const ros_common::Expected<std::string> done = action(request.path);
+        response.success = done ? 1 : 0;
+        response.message = done ? *done : done.error();
+        return true;
+      };
+  return core_.private_handle.advertiseService(name, serve);
 }
 
 void PolygonMapNode::Implementation::onCells(std::size_t source, const ObservedCellsConstPtr& cells)

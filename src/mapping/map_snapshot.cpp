@@ -1,0 +1,118 @@
+#include "polygonal_perception/mapping/map_snapshot.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "polygonal_perception/geometry/distance.hpp"
+#include "polygonal_perception/geometry/location.hpp"
+
+namespace polygonal_perception::mapping {
+
+namespace {
+
+constexpr char kHeights[] = "heights";
+constexpr char kSeen[] = "seen";
+
+const std::vector<std::uint8_t>* findLayer(const SavedCells& cells, const char* name)
+{
+  for (const CellLayer& layer : cells.layers) {
+    if (layer.name == name) return &layer.values;
+  }
+  return nullptr;
+}
+
+/// The cells that polygons reach into, and the corners of cells that they may.
+struct DrawnCells
+{
+  occupancy::GridGeometry geometry;
+  std::vector<std::uint8_t> heights;
+};
+
+std::optional<DrawnCells> drawCells(const geometry::PolygonSet& polygons, double resolution)
+{
+  constexpr double kMostCells = 4e6;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& vertex : polygons.vertices) box.extend(vertex);
+  DrawnCells drawn;
+  occupancy::GridGeometry& grid = drawn.geometry;
+  grid.resolution = resolution;
+  if (box.isEmpty()) box.extend(Eigen::Vector2d::Zero());
+  const Eigen::Vector2d first = (box.min() / resolution).array().floor();
+  const Eigen::Vector2d size = (box.max() / resolution).array().floor() + 1.0 - first.array();
+  if (!(size.prod() <= kMostCells)) return std::nullopt;
+  grid.origin_x = first.x() * resolution;
+  grid.origin_y = first.y() * resolution;
+  grid.cells_x = static_cast<int>(size.x());
+  grid.cells_y = static_cast<int>(size.y());
+  drawn.heights.assign(grid.size(), 0);
+  const double to_corner = std::sqrt(0.5) * resolution;
+  for (int j = 0; j < grid.cells_y; ++j) {
+    for (int i = 0; i < grid.cells_x; ++i) {
+      const Eigen::Vector2d middle(grid.origin_x + (i + 0.5) * resolution,
+                                   grid.origin_y + (j + 0.5) * resolution);
+      if (geometry::locate(middle, polygons) != geometry::Location::kOutside ||
+          geometry::distanceToBoundary(middle, polygons) < to_corner)
+        drawn.heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.cells_x) +
+                      static_cast<std::size_t>(i)] = 0xFF;
+    }
+  }
+  return drawn;
+}
+
+}  // namespace
+
+MapFile takeSnapshot(PolygonMap& map, const std::string& frame_id, double slab_height)
+{
+  PolygonMap::Products products;
+  products.polygons = true;
+  MapFile file;
+  file.frame_id = frame_id;
+  file.inflation_radius = map.parameters().inflation.robot_radius;
+  file.polygons = map.make(products).polygons;
+  const occupancy::GridGeometry geometry = map.map().geometry();
+  SavedCells& cells = file.cells.emplace();
+  cells.cells_x = geometry.cells_x;
+  cells.cells_y = geometry.cells_y;
+  cells.resolution = geometry.resolution;
+  cells.origin_x = geometry.origin_x;
+  cells.origin_y = geometry.origin_y;
+  cells.slab_height = slab_height;
+  cells.layers.resize(2);
+  cells.layers[0].name = kHeights;
+  map.map().copyHeights(cells.layers[0].values);
+  cells.layers[1].name = kSeen;
+  map.map().copySeen(cells.layers[1].values);
+  return file;
+}
+
+std::optional<MapFileError> restoreSnapshot(const MapFile& file, double resolution, double stamp,
+                                            PolygonMap& map)
+{
+  if (file.cells) {
+    const std::vector<std::uint8_t>* const heights = findLayer(*file.cells, kHeights);
+    const std::vector<std::uint8_t>* const seen = findLayer(*file.cells, kSeen);
+    if (heights == nullptr || seen == nullptr)
+      return MapFileError{"cells have no layer 'heights' or none 'seen': this is no map of polygon_map"};
+    occupancy::GridGeometry geometry;
+    geometry.cells_x = file.cells->cells_x;
+    geometry.cells_y = file.cells->cells_y;
+    geometry.resolution = file.cells->resolution;
+    geometry.origin_x = file.cells->origin_x;
+    geometry.origin_y = file.cells->origin_y;
+    map.map().restore(geometry, *heights, *seen, stamp);
+    return std::nullopt;
+  }
+  if (file.inflation_radius > 0.0) {
+    return MapFileError{
+        "inflation_radius is above 0 and there are no cells: what stands in polygons that have grown cannot "
+        "be told, "
+        "accepted are polygons as things stand, without inflation_radius"};
+  }
+  const auto drawn = drawCells(file.polygons, resolution);
+  if (!drawn) return MapFileError{"the polygons reach over more than 4e6 cells"};
+  map.map().restore(drawn->geometry, drawn->heights, std::vector<std::uint8_t>(drawn->heights.size(), 0),
+                    stamp);
+  return std::nullopt;
+}
+
+}  // namespace polygonal_perception::mapping
