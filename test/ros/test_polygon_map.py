@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import subprocess
 import sys
 import tempfile
 import threading
@@ -265,6 +266,11 @@ class PolygonMapTest(unittest.TestCase):
         # tf takes nothing that is older until it has been cleared.
         grid = self.ask(everything_seen=False)['occupancy_grid']
         self.assertEqual(self.value(grid, 1.02, 0.03), 0)
+
+    def test_the_documented_parameters_are_the_nodes_own(self):
+        table = subprocess.check_output(['rosrun', 'polygonal_perception', 'polygon_map_parameters'], text=True)
+        text = open(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../doc/map.md')).read()
+        self.assertEqual(text.split('<!-- map parameters: begin -->\n')[1].split('<!-- map parameters: end -->')[0], table)
 
     def test_diagnostics_name_what_is_wrong(self):
         def state(condition):
