@@ -46,6 +46,26 @@ int cellBelow(double place, double resolution)
 
 }  // namespace
 
+/// Which steps along a row of the map lie in a grid, whose sides lie across it.
+struct RollingMap::Steps
+{
+  double first, last;
+
+  /// Keeps those at which offset + step k is from 0 to just below `size`.
+  void clip(double offset, double step, int size)
+  {
+    constexpr double kRounding = 1e-6;
+    const double low = kRounding - offset;
+    const double high = size - kRounding - offset;
+    if (std::abs(step) < kRounding) {
+      if (low > 0.0 || high < 0.0) last = first - 1.0;
+      return;
+    }
+    first = std::max(first, std::min(low / step, high / step));
+    last = std::min(last, std::max(low / step, high / step));
+  }
+};
+
 void RollingMap::configure(const Parameters& parameters)
 {
   const bool is_other_square = parameters.map_size != parameters_.map_size;
@@ -145,22 +165,33 @@ void RollingMap::clear(const Observation& observation)
   const double scale = 1.0 / grid.resolution;
   const Eigen::Vector2d step = scale * resolution_ * to_grid.linear().col(0);
   for (int y = y0; y <= y1; ++y) {
-    Eigen::Vector2d place =
+    const Eigen::Vector2d first =
         scale * (to_grid * Eigen::Vector2d((x0 + 0.5) * resolution_, (y + 0.5) * resolution_) -
                  Eigen::Vector2d(grid.origin_x, grid.origin_y));
-    int column = wrapped(x0);
-    const std::size_t row = at(0, y);
-    for (int x = x0; x <= x1; ++x, place += step, column = column + 1 == cells_ ? 0 : column + 1) {
-      if (!(place.x() >= 0.0 && place.x() < grid.cells_x && place.y() >= 0.0 && place.y() < grid.cells_y))
-        continue;
-      const auto from = static_cast<std::size_t>(place.y()) * static_cast<std::size_t>(grid.cells_x) +
-                        static_cast<std::size_t>(place.x());
-      const bool is_floor_seen = observation.floor[from] != 0;
-      const std::size_t cell = row + static_cast<std::size_t>(column);
-      if (is_floor_seen) seen_[cell] = 1;
-      if (heights_[cell] != 0 && views_[cell].frame != frame_)
-        lookAt(cell, observation.free[from], is_floor_seen);
-    }
+    Steps inside{0.0, static_cast<double>(x1 - x0)};
+    inside.clip(first.x(), step.x(), grid.cells_x);
+    inside.clip(first.y(), step.y(), grid.cells_y);
+    clearRow(observation, x0, y, first, step, inside);
+  }
+}
+
+void RollingMap::clearRow(const Observation& observation, int x0, int y, const Eigen::Vector2d& first,
+                          const Eigen::Vector2d& step, const Steps& inside)
+{
+  const int begin = static_cast<int>(std::ceil(inside.first));
+  const int end = static_cast<int>(std::floor(inside.last));
+  const auto columns = static_cast<std::size_t>(observation.geometry.cells_x);
+  const std::size_t row = at(0, y);
+  int column = wrapped(x0 + begin);
+  for (int k = begin; k <= end; ++k, column = column + 1 == cells_ ? 0 : column + 1) {
+    const auto i = static_cast<std::size_t>(first.x() + k * step.x());
+    const auto j = static_cast<std::size_t>(first.y() + k * step.y());
+    const std::size_t from = j * columns + i;
+    const bool is_floor_seen = observation.floor[from] != 0;
+    const std::size_t cell = row + static_cast<std::size_t>(column);
+    if (is_floor_seen) seen_[cell] = 1;
+    if (heights_[cell] != 0 && views_[cell].frame != frame_)
+      lookAt(cell, observation.free[from], is_floor_seen);
   }
 }
 
@@ -210,9 +241,10 @@ void RollingMap::visitRuns(Visit&& visit) const
 void RollingMap::copyOccupied(occupancy::BinaryGrid& occupied) const
 {
   occupied.reset(geometry());
-  visitRuns([&](std::size_t first, std::size_t at, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) occupied.row(0)[first + k] = heights_[at + k] != 0 ? 1 : 0;
-  });
+  visitRuns(
+      [to = occupied.row(0), from = heights_.data()](std::size_t first, std::size_t at, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) to[first + k] = from[at + k] != 0 ? 1 : 0;
+      });
 }
 
 void RollingMap::copySeen(std::vector<std::uint8_t>& seen) const

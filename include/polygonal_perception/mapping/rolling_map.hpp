@@ -107,6 +107,9 @@ private:
 
   void mark(const Observation& observation);
   void clear(const Observation& observation);
+  struct Steps;
+  void clearRow(const Observation& observation, int x0, int y, const Eigen::Vector2d& first,
+                const Eigen::Vector2d& step, const Steps& inside);
   void lookAt(std::size_t cell, std::uint8_t free, bool is_floor_seen);
 
   Parameters parameters_;

@@ -1,0 +1,125 @@
+// Measures what the map costs: one frame's observed cells into a map of 12 x 12 m with cells of 5 cm, and its polygons,
+// over a drive through an office that goes round and round. It must not grow with the run.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <vector>
+
+#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/mapping/polygon_map.hpp"
+#include "polygonal_perception/perception/pipeline.hpp"
+
+namespace polygonal_perception::benchmarks {
+namespace {
+
+constexpr std::uint32_t kFrames = 100;
+constexpr int kRounds = 540;  // 30 minutes at 30 Hz
+
+struct Recorded
+{
+  occupancy::GridGeometry geometry;
+  occupancy::ObservedCells cells;
+  Eigen::Isometry2d pose;  // of the floor frame in the world
+  Eigen::Vector2d robot;
+};
+
+std::vector<Recorded> record()
+{
+  simulation::SimulatedCamera::Options options;
+  options.scene = "busy_office";
+  options.rate = 3.0;
+  simulation::SimulatedCamera camera(options);
+  const simulation::PinholeCamera& pinhole = options.camera;
+  const auto rays = perception::PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy,
+                                                  pinhole.cx, pinhole.cy);
+  perception::Pipeline pipeline({});
+  simulation::SimulatedFrame frame;
+  std::vector<Recorded> recorded;
+  for (std::uint32_t index = 0; index < kFrames; ++index) {
+    camera.render(index, frame);
+    const auto points = perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
+    const auto& result = pipeline.process({points, frame.time, {}}, perception::Product::kLookedThrough);
+    if (result.floor.status != perception::FloorStatus::kFound) continue;
+    const Eigen::Isometry3d floor_to_world = frame.camera_to_world * result.to_floor_frame.inverse();
+    Recorded& one = recorded.emplace_back();
+    one.geometry = result.occupancy.geometry();
+    one.cells = result.observed;
+    one.pose = Eigen::Translation2d(floor_to_world.translation().head<2>()) *
+               Eigen::Rotation2Dd(std::atan2(floor_to_world(1, 0), floor_to_world(0, 0)));
+    one.robot = frame.base_to_world.translation().head<2>();
+  }
+  return recorded;
+}
+
+/// [us] Medians of an update's stages.
+struct Medians
+{
+  double update, grids, inflation, polygons, all;
+};
+
+Medians mediansOf(const std::vector<mapping::PolygonMap::StageTimes>& times)
+{
+  using Times = mapping::PolygonMap::StageTimes;
+  const auto median = [&](auto&& pick) {
+    std::vector<double> values;
+    for (const Times& t : times) values.push_back(1e-3 * static_cast<double>(pick(t).count()));
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+  };
+  return {median([](const Times& t) { return t.update; }), median([](const Times& t) { return t.grids; }),
+          median([](const Times& t) { return t.inflation; }),
+          median([](const Times& t) { return t.polygons; }),
+          median([](const Times& t) { return t.update + t.grids + t.inflation + t.polygons; })};
+}
+
+/// [MB] Memory that is in use.
+double residentMemory()
+{
+  std::ifstream file("/proc/self/statm");
+  double all = 0.0;
+  double resident = 0.0;
+  file >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+int measure()
+{
+  const std::vector<Recorded> recorded = record();
+  mapping::PolygonMap map{mapping::PolygonMap::Parameters{}};
+  mapping::PolygonMap::Products products;
+  products.polygons = true;
+  double stamp = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<mapping::PolygonMap::StageTimes> times;
+    std::size_t vertices = 0;
+    for (const Recorded& one : recorded) {
+      map.update({one.geometry, one.pose, one.cells.hit.data(), one.cells.free.data(), one.cells.floor.data(),
+                  true, stamp += 1.0 / 30.0},
+                 one.robot);
+      const auto& result = map.make(products);
+      times.push_back(result.times);
+      vertices = result.polygons.vertices.size();
+    }
+    if (round != 1 && round != kRounds - 1) continue;  // the first one grows into its memory
+    const Medians m = mediansOf(times);
+    std::printf(
+        "round %3d: update %.0f us, grids %.0f us, inflation %.0f us, polygons %.0f us; all %.0f us, "
+        "%zu vertices, %.1f MB\n",
+        round + 1, m.update, m.grids, m.inflation, m.polygons, m.all, vertices, residentMemory());
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace polygonal_perception::benchmarks
+
+int main()
+{
+  return polygonal_perception::benchmarks::measure();
+}
