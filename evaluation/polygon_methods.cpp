@@ -20,7 +20,7 @@ geometry::PolygonSet traceOutlines(const occupancy::BinaryGrid& cells)
   occupancy::Outlines outlines;
   occupancy::OutlineTracer().trace(bits, outlines);
   const occupancy::GridGeometry& geometry = cells.geometry();
-  const double unit = geometry.resolution / perception::kUnitsPerCell;
+  const double unit = geometry.resolution / occupancy::kUnitsPerCell;
   geometry::PolygonSet polygons;
   const auto add = [&](const occupancy::Outlines::Ring& ring) {
     std::vector<cv::Point2d> points;
@@ -75,7 +75,7 @@ public:
   void polygonize(const PolygonTask& task, geometry::PolygonSet& polygons) override
   {
     const occupancy::GridGeometry& geometry = task.inflated.geometry();
-    const double unit = geometry.resolution / perception::kUnitsPerCell;
+    const double unit = geometry.resolution / occupancy::kUnitsPerCell;
     polygons.clear();
     for (const geometry::PolygonSet::Ring& ring : task.outlines.rings) {
       points_.clear();

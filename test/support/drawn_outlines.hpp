@@ -27,8 +27,8 @@ using Corners = std::vector<occupancy::LatticePoint>;
 inline Corners inCells(Corners corners)
 {
   for (auto& corner : corners) {
-    corner.x *= perception::kUnitsPerCell;
-    corner.y *= perception::kUnitsPerCell;
+    corner.x *= occupancy::kUnitsPerCell;
+    corner.y *= occupancy::kUnitsPerCell;
   }
   return corners;
 }
