@@ -6,15 +6,23 @@ LETHAL = 100
 
 
 class Costmap:
-    """The newest map of a node. It has to be published whole, without updates of parts."""
+    """The maps of a node. They have to be published whole, without updates of parts."""
 
     def __init__(self, client, topic='/costmap_node/costmap/costmap'):
-        self.grid = None
+        self.grids = []
         self.reader = client.listen(topic, OccupancyGrid, self._on_grid)
         client.wait_for(lambda: self.grid is not None, 'a map on ' + topic)
 
+    @property
+    def grid(self):
+        """The newest."""
+        return self.grids[-1] if self.grids else None
+
+    def since(self, stamp):
+        return [grid for grid in self.grids if grid.stamp > stamp]
+
     def _on_grid(self, message):
-        self.grid = Grid(message)
+        self.grids.append(Grid(message))
 
 
 class Grid:
