@@ -85,10 +85,12 @@ class InstallTest(unittest.TestCase):
             self.assertEqual(missing, [], folder)
 
     def test_headers(self):
-        """Those of the rooms whose library was built, and what is generated for the messages; no other."""
+        """Those of the rooms whose library was built, and what is generated for messages and services; no other."""
         headers = files_below(os.path.join(SOURCE, 'include', 'polygonal_perception'))
         self.assertTrue(headers)
         messages = [os.path.splitext(name)[0] + '.h' for name in files_below(os.path.join(SOURCE, 'msg'))]
+        for name in files_below(os.path.join(SOURCE, 'srv')):
+            messages += [os.path.splitext(name)[0] + part + '.h' for part in ('', 'Request', 'Response')]
         self.assertEqual(files_below(os.path.join(self.prefix, 'include', 'polygonal_perception')),
                          sorted([name for name in headers if self.is_built(os.path.dirname(name))] + messages))
         self.assertEqual(os.listdir(os.path.join(self.prefix, 'include')), ['polygonal_perception'])
