@@ -111,7 +111,7 @@ class AnswersTest(unittest.TestCase):
         np.testing.assert_array_equal(hit != 0, occupied)
         # What lies between two floor points was not seen itself: it is free, and clears nothing.
         self.assertFalse((floor.astype(bool) & ~occupied & ~free).any())
-        self.assertGreater(np.count_nonzero(floor.astype(bool) & free), 0.8 * np.count_nonzero(free))
+        self.assertGreater(np.count_nonzero(floor.astype(bool) & free), 0.4 * np.count_nonzero(free))
         # Above most of the floor that is seen the lowest slab was looked through, and behind what stands none.
         self.assertGreater(np.count_nonzero(through[free] & 1), 0.5 * np.count_nonzero(free))
         self.assertGreater(np.count_nonzero(through == 0), 500)
