@@ -21,7 +21,7 @@ const std::vector<std::uint8_t>* findLayer(const SavedCells& cells, const char* 
   return nullptr;
 }
 
-/// The cells that polygons reach into, and the corners of cells that they may.
+/// The cells that polygons reach into.
 struct DrawnCells
 {
   occupancy::GridGeometry geometry;
@@ -88,6 +88,17 @@ MapFile takeSnapshot(PolygonMap& map, const std::string& frame_id, double slab_h
 std::optional<MapFileError> restoreSnapshot(const MapFile& file, double resolution, double stamp,
                                             PolygonMap& map)
 {
+  // What the cells of an observation may be, too: beyond that they have no numbers.
+  constexpr double kSmallest = 0.001;  // [m]
+  constexpr double kLargest = 10.0;    // [m]
+  constexpr double kFarthest = 1e6;    // [m]
+  const auto isFar = [](double x, double y) { return std::abs(x) > kFarthest || std::abs(y) > kFarthest; };
+  if (file.cells && !(file.cells->resolution >= kSmallest && file.cells->resolution <= kLargest))
+    return MapFileError{"cells: the resolution is not within 0.001 to 10 m"};
+  bool is_far = file.cells && isFar(file.cells->origin_x, file.cells->origin_y);
+  for (const Eigen::Vector2d& vertex : file.polygons.vertices)
+    is_far = is_far || isFar(vertex.x(), vertex.y());
+  if (is_far) return MapFileError{"something lies farther than 1000 km from the origin"};
   if (file.cells) {
     const std::vector<std::uint8_t>* const heights = findLayer(*file.cells, kHeights);
     const std::vector<std::uint8_t>* const seen = findLayer(*file.cells, kSeen);

@@ -39,9 +39,11 @@ private:
   double of_straight_, of_turned_;
 };
 
+/// Places so far away that cells have no numbers count as just as far as they have.
 int cellBelow(double place, double resolution)
 {
-  return static_cast<int>(std::floor(place / resolution));
+  constexpr double kFarthest = 1e9;
+  return static_cast<int>(std::clamp(std::floor(place / resolution), -kFarthest, kFarthest));
 }
 
 }  // namespace
@@ -70,13 +72,18 @@ void RollingMap::configure(const Parameters& parameters)
 {
   const bool is_other_square = parameters.map_size != parameters_.map_size;
   parameters_ = parameters;
-  if (is_other_square && isActive()) reset(resolution_);
+  if (!is_other_square || !isActive()) return;
+  std::vector<std::uint8_t> heights;
+  std::vector<std::uint8_t> seen;
+  copyHeights(heights);
+  copySeen(seen);
+  restore(geometry(), heights, seen, newest_stamp_);
 }
 
 void RollingMap::reset(double resolution)
 {
   resolution_ = resolution;
-  cells_ = std::max(1, static_cast<int>(std::lround(parameters_.map_size / resolution)));
+  cells_ = static_cast<int>(std::clamp(std::round(parameters_.map_size / resolution), 1.0, kMostCells));
   const auto size = static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_);
   heights_.assign(size, 0);
   seen_.assign(size, 0);
@@ -110,6 +117,7 @@ void RollingMap::add(const Observation& observation)
 {
   if (frame_ == 0) first_stamp_ = observation.stamp;
   ++frame_;
+  newest_stamp_ = std::max(newest_stamp_, observation.stamp);
   mark(observation);
   if (observation.may_clear) clear(observation);
 }
@@ -159,6 +167,8 @@ void RollingMap::clear(const Observation& observation)
   const int x1 = std::min(cellBelow(box.max().x(), resolution_), first_x_ + cells_ - 1);
   const int y0 = std::max(cellBelow(box.min().y(), resolution_), first_y_);
   const int y1 = std::min(cellBelow(box.max().y(), resolution_), first_y_ + cells_ - 1);
+
+  if (x0 > x1 || y0 > y1) return;  // beyond the square
 
   // From the middle of a cell to a place in the grid, in its cells.
   const Eigen::Isometry2d to_grid = observation.pose.inverse();
@@ -267,8 +277,9 @@ void RollingMap::restore(const GridGeometry& geometry, const std::vector<std::ui
                          const std::vector<std::uint8_t>& seen, double stamp)
 {
   reset(geometry.resolution);
-  const int from_x = static_cast<int>(std::lround(geometry.origin_x / resolution_));
-  const int from_y = static_cast<int>(std::lround(geometry.origin_y / resolution_));
+  const auto nearestCell = [&](double place) { return cellBelow(place + 0.5 * resolution_, resolution_); };
+  const int from_x = nearestCell(geometry.origin_x);
+  const int from_y = nearestCell(geometry.origin_y);
   // The square lies in the middle of the file's.
   first_x_ = from_x + (geometry.cells_x - cells_) / 2;
   first_y_ = from_y + (geometry.cells_y - cells_) / 2;

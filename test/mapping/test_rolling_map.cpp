@@ -209,6 +209,35 @@ TEST_F(RollingMapTest, OldObstaclesGoWhereThatIsWanted)
   EXPECT_FALSE(isOccupied(0.55, 0.75));
 }
 
+TEST_F(RollingMapTest, AnotherSizeKeepsWhatIsInBothSquares)
+{
+  sensor_.hit(5, 7) = 0x01;
+  sensor_.hit(10, 10) = 0x01;
+  add();
+  parameters_.map_size = 1.0;
+  map_.configure(parameters_);
+  EXPECT_EQ(map_.geometry().cells_x, 10);
+  EXPECT_TRUE(isOccupied(1.05, 1.05));
+  EXPECT_EQ(occupiedCells(), 2U) << "half a metre from the middle";
+  parameters_.map_size = 0.5;
+  map_.configure(parameters_);
+  EXPECT_TRUE(isOccupied(1.05, 1.05));
+  EXPECT_EQ(occupiedCells(), 1U);
+}
+
+TEST_F(RollingMapTest, PlacesWithoutANumberAndTinyCellsAreSurvived)
+{
+  sensor_.seeNothing();
+  sensor_.hit(5, 7) = 0x01;
+  for (const double place : {1e300, -1e300, 4e9, 1e6}) {
+    sensor_.put(place, -place, 0.5);
+    add();
+    map_.moveTo({place, place});
+  }
+  map_.reset(1e-9);
+  EXPECT_EQ(map_.geometry().cells_x, static_cast<int>(RollingMap::kMostCells));
+}
+
 TEST_F(RollingMapTest, WhatWasSavedComesBack)
 {
   std::mt19937 random(5);
@@ -229,7 +258,6 @@ TEST_F(RollingMapTest, WhatWasSavedComesBack)
   EXPECT_EQ(seen_again, seen);
 }
 
-/// Random drives over a lattice, held against a map that is written down plainly: a dictionary of cells.
 TEST_F(RollingMapTest, EveryPointOfAHitIsCoveredWhereverTheGridLies)
 {
   std::mt19937 random(6);

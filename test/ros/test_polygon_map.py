@@ -257,11 +257,29 @@ class PolygonMapTest(unittest.TestCase):
         self.wait_for(lambda: any('front: no transform from' in text and 'odom' in text for text in self.logs), 'a complaint')
         self.ask()
 
+    def test_one_old_observation_does_not_begin_anew(self):
+        self.ask((1.02, 0.03, 1))
+        old = self.stamp
+        newest = self.tick(3.0)
+        self.send(self.observation(newest, everything_seen=False))
+        self.answer(newest)
+        late = old + rospy.Duration(0.02)
+        self.send(self.observation(late))
+        self.assertEqual(self.value(self.answer(late)['occupancy_grid'], 1.02, 0.03), 100)
+        self.assertEqual(self.value(self.ask(everything_seen=False)['occupancy_grid'], 1.02, 0.03), 100)
+
+    def test_a_place_without_a_number_is_refused(self):
+        before = self.ask((1.02, 0.03, 1))
+        self.send(self.observation(self.tick()), robot=(1e12, 0.0))
+        # The log says of a kind what is new each two seconds only.
+        self.wait_for(lambda: any('farther than 1000 km' in v.value for s in self.states[-1:] for v in s.values), 'a reason in /diagnostics')
+        self.assertEqual(self.ask(everything_seen=False)['occupancy_grid'].data, before['occupancy_grid'].data)
+
     def test_time_that_jumps_back_begins_anew(self):
         self.ask((1.02, 0.03, 1))
         PolygonMapTest.stamp -= rospy.Duration(60.0)
-        self.place(self.tick())
-        self.cells['front'].publish(self.observation(self.stamp, everything_seen=False))
+        for _ in range(2):
+            self.send(self.observation(self.tick(), everything_seen=False))
         self.wait_for(lambda: any('time has jumped back' in text for text in self.logs), 'a warning')
         # tf takes nothing that is older until it has been cleared.
         grid = self.ask(everything_seen=False)['occupancy_grid']

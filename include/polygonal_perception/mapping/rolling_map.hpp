@@ -44,8 +44,11 @@ public:
 
   explicit RollingMap(const Parameters& parameters) : parameters_(parameters) {}
 
-  /// Takes on new parameters; another map_size forgets everything.
+  /// Takes on new parameters. Of another map_size what lies in both squares stays.
   void configure(const Parameters& parameters);
+
+  /// Cells of a side: where they are so small that map_size has more, the square is smaller.
+  static constexpr double kMostCells = 3000.0;
 
   /// Forgets everything, and takes on a resolution [m].
   void reset(double resolution);
@@ -122,6 +125,7 @@ private:
   std::vector<Views> views_;           // of the obstacles
   std::uint32_t frame_ = 0;
   double first_stamp_ = 0.0;
+  double newest_stamp_ = 0.0;
 };
 
 }  // namespace polygonal_perception::mapping

@@ -95,7 +95,7 @@ public:
         floor_hull;  ///< [m] in the input's frame; a held floor's is the one it was found with
     occupancy::BinaryGrid occupancy;    ///< free everywhere when NOT_FOUND or not asked for
     occupancy::ObservedCells observed;  ///< in the grid's cells; empty when NOT_FOUND or not asked for
-    LevelScan scan;  ///< in the floor frame; all unknown when NOT_FOUND, empty when not asked for
+    LevelScan scan;  ///< in the floor frame; all unknown when NOT_FOUND, empty where nobody has asked yet
     std::vector<Eigen::Vector3f> obstacle_points;  ///< [m] in the floor frame
     occupancy::BinaryGrid inflated;
     geometry::PolygonSet polygons;  ///< [m] in the floor frame

@@ -104,7 +104,7 @@ void FloorScanner::finishFrame(const View& view, const occupancy::BinaryGrid& oc
     const ViewOnFloor::Part visible = on_floor.along(bearing);
     bool is_seen = range > range_max && visible.from < range_max && visible.to >= range_max;
     for (double distance = visible.from; distance < std::min(range, range_max) && (is_seen || has_drops);
-         distance += occupancy.geometry().resolution) {
+         distance += 0.5 * occupancy.geometry().resolution) {
       const auto cell = cells.at(distance);
       is_seen = is_seen && cell && observed.floor[*cell] != 0 && observed.hit[*cell] == 0;
       // A drop has no points that stand.

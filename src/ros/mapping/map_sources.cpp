@@ -21,11 +21,15 @@ MapSources::MapSources(const std::vector<std::string>& names)
   }
 }
 
-bool MapSources::jumpsBack(std::size_t source, const ros::Time& stamp) const
+bool MapSources::jumpsBack(std::size_t index, const ros::Time& stamp)
 {
   // A driver's stamps may be some frames out of order, but not by so much.
   constexpr double kJump = 1.0;  // [s]
-  return stamp + ros::Duration(kJump) < sources_[source].last_stamp;
+  Source& source = sources_[index];
+  const bool is_old = stamp + ros::Duration(kJump) < source.last_stamp;
+  const bool jumps = is_old && !source.old_stamp.isZero() && stamp > source.old_stamp;
+  source.old_stamp = is_old ? stamp : ros::Time();
+  return jumps;
 }
 
 bool MapSources::mayClear(std::size_t index, const ros::Time& stamp, std::uint8_t floor_status,
@@ -51,7 +55,7 @@ void MapSources::setFloor(std::size_t source, const std::optional<Eigen::Isometr
 
 void MapSources::reset()
 {
-  for (Source& source : sources_) source.last_stamp = ros::Time();
+  for (Source& source : sources_) source.last_stamp = source.old_stamp = ros::Time();
   newest_ = ros::Time();
 }
 

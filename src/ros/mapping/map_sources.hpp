@@ -21,8 +21,9 @@ public:
 
   explicit MapSources(const std::vector<std::string>& names);
 
-  /// Whether an observation of that stamp means that time has jumped back: everything before is of another time.
-  bool jumpsBack(std::size_t source, const ros::Time& stamp) const;
+  /// Whether an observation of that stamp means that time has jumped back: everything before is of another time. It takes
+  /// two in a row that are old, for one may have been under way for long.
+  bool jumpsBack(std::size_t source, const ros::Time& stamp);
 
   /// Notes an observation that has come in.
   /// @param max_delay  [s] by which it may be older than the newest one
@@ -49,6 +50,7 @@ private:
   {
     std::string name;
     ros::Time last_stamp;
+    ros::Time old_stamp;  // of the last observation, if it was old
     std::optional<Clock::time_point> last_arrival;
     std::uint8_t floor_status = 0;
     bool is_late = false;

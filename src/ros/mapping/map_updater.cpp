@@ -75,6 +75,11 @@ ros_common::Expected<MapUpdater::Placement> MapUpdater::place(const std_msgs::He
   const auto robot = tf_.lookup(fixed, parameters_.robot_frame, header.stamp);
   if (!robot) return Result::failure(robot.error());
   placement.robot_to_fixed = *robot;
+  constexpr double kFarthest = 1e6;  // [m] cells farther away have no numbers
+  for (const Eigen::Isometry3d& pose : {placement.grid_to_fixed, placement.robot_to_fixed}) {
+    if (!(pose.translation().norm() <= kFarthest))
+      return Result::failure("tf places it farther than 1000 km from the origin of '" + fixed + "'");
+  }
   return placement;
 }
 
