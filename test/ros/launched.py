@@ -5,8 +5,18 @@ import subprocess
 
 import roslib.packages
 
-# rosrun asks which one where the sources hold more than one build.
-NODE = roslib.packages.find_node('polygonal_perception', 'polygonal_perception_node')[0]
+
+def program(name):
+    """The path of one of the package's programs.
+
+    rosrun asks which one where the sources hold more than one build, and does not look into a folder `build` of theirs.
+    """
+    found = roslib.packages.find_node('polygonal_perception', name)
+    assert found, 'no program %s was built' % name
+    return found[0]
+
+
+NODE = program('polygonal_perception_node')
 
 
 class Started:

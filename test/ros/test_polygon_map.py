@@ -20,6 +20,7 @@ from rosgraph_msgs.msg import Log
 from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 
+from launched import program
 from polygonal_perception.msg import FloorPlane, ObservedCells, PolygonArray
 from polygonal_perception.srv import MapFile
 
@@ -286,7 +287,7 @@ class PolygonMapTest(unittest.TestCase):
         self.assertEqual(self.value(grid, 1.02, 0.03), 0)
 
     def test_the_documented_parameters_are_the_nodes_own(self):
-        table = subprocess.check_output(['rosrun', 'polygonal_perception', 'polygon_map_parameters'], text=True)
+        table = subprocess.check_output([program('polygon_map_parameters')], text=True)
         text = open(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../doc/map.md')).read()
         self.assertEqual(text.split('<!-- map parameters: begin -->\n')[1].split('<!-- map parameters: end -->')[0], table)
 
