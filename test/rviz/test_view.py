@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Opens the shipped view in rviz: each display loads and reads its topic."""
+"""Opens the shipped views in rviz: each display loads and reads its topic."""
 import os
 import sys
 import unittest
@@ -14,7 +14,7 @@ from polygonal_perception.msg import FloorPlane, PolygonArray
 from virtual_rviz import VirtualRviz, what_is_missing
 
 START = 60.0  # [s] until rviz has subscribed; under a software renderer and a busy machine
-VIEW = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..', 'rviz', 'polygonal_perception.rviz')
+VIEWS = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..', 'rviz')
 TYPES = {
     'polygonal_perception/FloorPlane': FloorPlane,
     'polygonal_perception/PolygonArray': PolygonArray,
@@ -26,19 +26,30 @@ TYPES = {
 
 @unittest.skipIf(what_is_missing(), 'not there: ' + what_is_missing())
 class ViewTest(unittest.TestCase):
-    def test_every_display_reads_its_topic(self):
-        with open(VIEW) as file:
+    def check(self, name, kinds):
+        view = os.path.join(VIEWS, name)
+        with open(view) as file:
             displays = yaml.safe_load(file)['Visualization Manager']['Displays']
         topics = {d.get('Topic') or d['Image Topic']: TYPES[d['Class']]
                   for d in displays if d['Enabled'] and d['Class'] != 'rviz/TF'}
-        self.assertLessEqual({FloorPlane, PolygonArray}, set(topics.values()))
+        self.assertLessEqual(kinds, set(topics.values()))
         publishers = [rospy.Publisher(topic, kind, queue_size=1) for topic, kind in topics.items()]
-        rviz = VirtualRviz(VIEW)
+        rviz = VirtualRviz(view)
         try:
             rviz.wait_for(lambda: all(p.get_num_connections() > 0 for p in publishers),
                           'rviz to subscribe to ' + ', '.join(topics), START)
         finally:
             rviz.close()
+            for publisher in publishers:
+                publisher.unregister()
+        return topics
+
+    def test_a_frame(self):
+        self.check('polygonal_perception.rviz', {FloorPlane, PolygonArray})
+
+    def test_a_map_beside_the_frame(self):
+        topics = self.check('polygon_map.rviz', {OccupancyGrid, PolygonArray})
+        self.assertLessEqual({'/polygon_map/polygons', '/polygonal_perception/polygons'}, set(topics))
 
 
 if __name__ == '__main__':

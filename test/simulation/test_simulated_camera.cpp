@@ -76,6 +76,27 @@ TEST(SimulatedCamera, ObstaclePointsLieInTheOutlines)
   }
 }
 
+TEST(SimulatedCamera, SeveralAreSpreadEvenlyAroundTheRobot)
+{
+  SimulatedCamera::Options options = small("office", "nao", 5);
+  const SimulatedCamera only(options);
+  options.count = 3;
+  for (std::uint32_t number = 0; number < 3; ++number) {
+    options.number = number;
+    const SimulatedCamera camera(options);
+    for (const std::uint32_t index : {0U, 45U}) {
+      const Eigen::Isometry3d robot = only.base(index);
+      EXPECT_TRUE(camera.base(index).isApprox(robot)) << number;
+      const Eigen::Isometry3d turned = robot.inverse() * camera.pose(index);
+      const Eigen::Isometry3d first = robot.inverse() * only.pose(index);
+      const Eigen::AngleAxisd turn(number * 2.0 * EIGEN_PI / 3.0, Eigen::Vector3d::UnitZ());
+      EXPECT_TRUE(turned.isApprox(turn * first, 1e-9)) << number << '\n' << turned.matrix();
+    }
+  }
+  options.number = 3;
+  EXPECT_THROW(SimulatedCamera{options}, std::invalid_argument);
+}
+
 TEST(SimulatedCamera, FloorIsSeenInEverySceneOverATrajectory)
 {
   for (const std::string& scene : sceneNames()) {

@@ -21,6 +21,7 @@ const SimulatedCamera::Options& checked(const SimulatedCamera::Options& options)
   if (!(options.rate > 0.0 && options.rate <= 1000.0))
     throw std::invalid_argument("rate must be within 0..1000 Hz");
   if (options.camera.size() == 0) throw std::invalid_argument("width and height must be positive");
+  if (options.number >= options.count) throw std::invalid_argument("number must be less than count");
   return options;
 }
 
@@ -31,8 +32,17 @@ SimulatedCamera::SimulatedCamera(const Options& options)
       scene_(std::make_unique<Scene>(makeScene(options.scene, options.seed))),
       trajectory_(makeTrajectory(options.trajectory, *scene_, mixName(options.seed, options.scene))),
       caster_(*scene_),
-      noise_(options.noise, mixName(options.seed, options.scene + options.trajectory))
+      noise_(options.noise, mixName(options.seed, options.scene + options.trajectory) + options.number)
 {
+}
+
+Eigen::Isometry3d SimulatedCamera::pose(std::uint32_t index) const
+{
+  const Eigen::Isometry3d first = trajectory_->pose(index / options_.rate);
+  if (options_.number == 0) return first;
+  const Eigen::Isometry3d robot = base(index);
+  const Eigen::AngleAxisd turn(2.0 * EIGEN_PI * options_.number / options_.count, Eigen::Vector3d::UnitZ());
+  return robot * turn * robot.inverse() * first;
 }
 
 void SimulatedCamera::render(std::uint32_t index, SimulatedFrame& frame)

@@ -11,24 +11,6 @@ namespace {
 
 constexpr std::uint32_t kPointStep = 16;
 
-geometry_msgs::TransformStamped toTransform(const Eigen::Isometry3d& pose, const ros::Time& stamp,
-                                            const std::string& parent, const std::string& child)
-{
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp;
-  transform.header.frame_id = parent;
-  transform.child_frame_id = child;
-  transform.transform.translation.x = pose.translation().x();
-  transform.transform.translation.y = pose.translation().y();
-  transform.transform.translation.z = pose.translation().z();
-  const Eigen::Quaterniond rotation(pose.linear());
-  transform.transform.rotation.x = rotation.x();
-  transform.transform.rotation.y = rotation.y();
-  transform.transform.rotation.z = rotation.z();
-  transform.transform.rotation.w = rotation.w();
-  return transform;
-}
-
 /// The pose of the optical frame (x right, y down) in the body frame (x forward, y left).
 Eigen::Isometry3d opticalInBody()
 {
@@ -126,14 +108,27 @@ PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const 
   return polygons;
 }
 
-std::vector<geometry_msgs::TransformStamped> toTransforms(const Eigen::Isometry3d& camera_to_world,
-                                                          const Eigen::Isometry3d& base_to_world,
-                                                          const ros::Time& stamp, const std::string& world,
-                                                          const std::string& base, const std::string& body)
+geometry_msgs::TransformStamped toTransform(const Eigen::Isometry3d& pose, const ros::Time& stamp,
+                                            const std::string& parent, const std::string& child)
 {
-  const Eigen::Isometry3d body_to_world = camera_to_world * opticalInBody().inverse();
-  return {toTransform(base_to_world, stamp, world, base),
-          toTransform(base_to_world.inverse() * body_to_world, stamp, base, body)};
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  transform.transform.translation.x = pose.translation().x();
+  transform.transform.translation.y = pose.translation().y();
+  transform.transform.translation.z = pose.translation().z();
+  const Eigen::Quaterniond rotation(pose.linear());
+  transform.transform.rotation.x = rotation.x();
+  transform.transform.rotation.y = rotation.y();
+  transform.transform.rotation.z = rotation.z();
+  transform.transform.rotation.w = rotation.w();
+  return transform;
+}
+
+Eigen::Isometry3d bodyPose(const Eigen::Isometry3d& optical_pose)
+{
+  return optical_pose * opticalInBody().inverse();
 }
 
 geometry_msgs::TransformStamped toOpticalTransform(const ros::Time& stamp, const std::string& body,

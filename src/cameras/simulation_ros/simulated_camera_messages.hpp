@@ -7,6 +7,7 @@
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <string>
 #include <vector>
 
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
@@ -32,12 +33,11 @@ FloorPlane toFloor(const simulation::SimulatedFrame& frame, const std_msgs::Head
 /// The extent is empty: the truth is no view, and this message does not say where obstacles were looked for.
 PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const std_msgs::Header& header);
 
-/// The world -> base and base -> camera transforms of a camera's and a robot's pose. The camera's body frame has x
-/// forward, y left, z up.
-std::vector<geometry_msgs::TransformStamped> toTransforms(const Eigen::Isometry3d& camera_to_world,
-                                                          const Eigen::Isometry3d& base_to_world,
-                                                          const ros::Time& stamp, const std::string& world,
-                                                          const std::string& base, const std::string& body);
+geometry_msgs::TransformStamped toTransform(const Eigen::Isometry3d& pose, const ros::Time& stamp,
+                                            const std::string& parent, const std::string& child);
+
+/// The pose of a camera's body frame (x forward, y left, z up), of that of its optical frame.
+Eigen::Isometry3d bodyPose(const Eigen::Isometry3d& optical_pose);
 
 /// The turn from the camera's body frame into its optical frame.
 geometry_msgs::TransformStamped toOpticalTransform(const ros::Time& stamp, const std::string& body,

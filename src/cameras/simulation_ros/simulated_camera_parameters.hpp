@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ inline bool isName(const std::string& text)
 struct SimulatedCameraParameters
 {
   std::string camera = "camera";
+  std::vector<std::string> cameras;  ///< several in the place of `camera`
   std::string scene = "office";
   std::string trajectory = "robotino";
   int seed = 1;
@@ -67,6 +69,10 @@ struct SimulatedCameraParameters
     using parameters::TextRule;
     const TextRule name{"a name", isName};
     visit("camera", self.camera, name, "Namespace of the camera's topics.");
+    visit("cameras", self.cameras,
+          "Of several cameras in its place, spread evenly around the robot, each with frames of its name; "
+          "the first "
+          "looks ahead.");
     static const std::string scenes = listed(scenesAndCourses());
     static const std::string trajectories = listed(simulation::trajectoryNames());
     visit("scene", self.scene, TextRule{scenes.c_str(), isScene}, "Where the camera looks.");
@@ -96,13 +102,33 @@ struct SimulatedCameraParameters
     return parameters::findDisorder("min_height", min_height, "max_height", max_height);
   }
 
-  simulation::SimulatedCamera::Options options() const
+  /// What a camera's topics and frames are called.
+  struct CameraNames
+  {
+    std::string topics;  ///< their namespace
+    std::string body_frame;
+    std::string optical_frame;
+    std::string truth;  ///< namespace of the truth about its frames
+  };
+  std::vector<CameraNames> cameraNames() const
+  {
+    if (cameras.empty()) return {{camera, camera_frame, optical_frame, "ground_truth"}};
+    std::vector<CameraNames> names;
+    for (const std::string& name : cameras)
+      names.push_back({name, name + "_link", name + "_depth_optical_frame", "ground_truth/" + name});
+    return names;
+  }
+
+  /// @param number  of the camera
+  simulation::SimulatedCamera::Options options(std::uint32_t number) const
   {
     simulation::SimulatedCamera::Options options;
     options.scene = scene;
     options.trajectory = trajectory;
     options.seed = static_cast<std::uint64_t>(seed);
     options.rate = rate;
+    options.number = number;
+    options.count = static_cast<std::uint32_t>(std::max<std::size_t>(1, cameras.size()));
     options.camera = simulation::PinholeCamera::ofSize(static_cast<std::uint32_t>(width),
                                                        static_cast<std::uint32_t>(height));
     options.noise = has_noise ? noise : simulation::DepthNoise::Parameters::none();

@@ -40,12 +40,16 @@ public:
     std::string trajectory = "robotino";  ///< one of trajectoryNames()
     std::uint64_t seed = 1;               ///< of the layout, the trajectory and the noise
     double rate = 30.0;                   ///< [Hz]
+    /// Which of the robot's cameras, which are spread evenly around it: the first looks as the trajectory says, the
+    /// others are turned about the robot's upright axis, counter-clockwise.
+    std::uint32_t number = 0;
+    std::uint32_t count = 1;
     PinholeCamera camera;
     DepthNoise::Parameters noise;
   };
 
-  /// @throws std::invalid_argument for an unknown name, an empty image, or a rate or a parameter out of its
-  ///         range
+  /// @throws std::invalid_argument for an unknown name, an empty image, a camera that the robot does not have, or
+  ///         a rate or a parameter out of its range
   explicit SimulatedCamera(const Options& options);
 
   const Options& options() const { return options_; }
@@ -54,7 +58,7 @@ public:
   const ScenePlanes& planes() const { return caster_.planes(); }
 
   /// Where the camera is at time index / rate, from its optical frame into the world.
-  Eigen::Isometry3d pose(std::uint32_t index) const { return trajectory_->pose(index / options_.rate); }
+  Eigen::Isometry3d pose(std::uint32_t index) const;
   /// Where the robot is then; see Trajectory::base.
   Eigen::Isometry3d base(std::uint32_t index) const { return trajectory_->base(index / options_.rate); }
 

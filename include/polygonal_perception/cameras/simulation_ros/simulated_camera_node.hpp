@@ -8,14 +8,18 @@
 
 namespace polygonal_perception::simulation_ros {
 
-/// Publishes a simulated camera's frames as openni2_camera does, the transforms of the robot that carries it,
-/// and the truth. It renders only what somebody reads, and leaves frames out when it is too slow.
+/// Publishes the frames of a robot's simulated camera, or of several, as openni2_camera does, the transforms of the
+/// robot that carries them, and the truth. It renders only what somebody reads, and leaves frames out when it is too
+/// slow.
 ///
 /// Topics below the namespace `~camera` (default "camera"): depth/image_raw and depth/image_rect (16UC1, mm),
 /// depth/camera_info, depth/points. Private: ground_truth/floor (FloorPlane, optical frame),
 /// ground_truth/obstacles (PolygonArray, world frame, not inflated).
 ///
-/// Private parameters: camera; scene (one of simulation::sceneNames()), trajectory (one of
+/// With several cameras each has its topics below its name, frames NAME_link and NAME_depth_optical_frame, and
+/// ground_truth/NAME/floor.
+///
+/// Private parameters: camera, or cameras (a list of names, spread evenly around the robot); scene (one of simulation::sceneNames()), trajectory (one of
 /// trajectoryNames()), seed; rate [Hz]; width, height [px]; noise (false: ideal depth, whatever follows) and
 /// noise_<name> for each of DepthNoise::Parameters; min_height, max_height [m] of the true obstacles;
 /// publish_tf, world_frame (odom), base_frame (base_link), camera_frame (camera_link), optical_frame
