@@ -3,6 +3,7 @@ import collections
 import contextlib
 import struct
 
+import genpy
 import rosbag
 
 Message = collections.namedtuple('Message', 'topic data time')  # bytes; time [ns] at which it was recorded
@@ -53,12 +54,14 @@ class Bag:
         connection = next(self._bag._get_connections([topic]))  # rosbag shows them to nobody who is polite
         return connection.datatype, connection.md5sum, connection.msg_def
 
-    def messages(self, topics):
-        """In the order in which they were recorded."""
+    def messages(self, topics, start=None, end=None):
+        """In the order in which they were recorded; start and end [s] of the recording's clock."""
+        topics = [topic for topic in topics if topic in self.types]
         if not topics:
             return
+        start, end = (None if time is None else genpy.Time.from_sec(time) for time in (start, end))
         with damage_told():
-            for topic, raw, time in self._bag.read_messages(list(topics), raw=True):
+            for topic, raw, time in self._bag.read_messages(topics, start, end, raw=True):
                 yield Message(topic, raw[1], time.to_nsec())
 
     def first(self, topic):

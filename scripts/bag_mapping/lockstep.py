@@ -75,7 +75,7 @@ class Lockstep:
         # A node goes on with the default: here that would be another map than the one that was asked for.
         for text in self._nodes.complaints('ERROR'):
             if text.startswith('parameter'):
-                raise BagError(text)
+                raise BagError(text.split('; ')[0])
 
     def _middle(self, place):
         transform = TransformStamped(child_frame_id=MIDDLE)

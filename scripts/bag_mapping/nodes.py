@@ -1,15 +1,11 @@
 """A roscore and the nodes of one run: nobody else's, and gone with it."""
-import contextlib
 import os
-import pathlib
 import re
 import signal
-import socket
 import subprocess
 import time
 
-import roslib.packages
-import rosgraph
+import rosmaster.master
 
 from bag_mapping.bag_reading import BagError
 
@@ -17,11 +13,12 @@ DEADLINE = 60.0  # [s] for what is to start or to answer, on a busy machine
 
 
 def program(name):
-    """The path of one of the package's programs."""
-    found = roslib.packages.find_node('polygonal_perception', name)
-    if not found:
-        raise BagError('no program %s was built' % name)
-    return found[0]
+    """The path of one of the package's programs. roslib would look through all of the package's folder, each time."""
+    for prefix in os.environ.get('CMAKE_PREFIX_PATH', '').split(os.pathsep) + ['/usr']:
+        path = os.path.join(prefix, 'lib', 'polygonal_perception', name)
+        if os.access(path, os.X_OK):
+            return path
+    raise BagError('no program %s was built' % name)
 
 
 def wait_for(condition, what, alive=lambda: None):
@@ -37,60 +34,38 @@ def wait_for(condition, what, alive=lambda: None):
         time.sleep(0.005)
 
 
-@contextlib.contextmanager
-def running(command, log):
-    """A program, in a process group of its own: an interrupt key reaches it through us, when its turn has come."""
-    process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, start_new_session=True)
-    try:
-        yield process
-    finally:
-        process.send_signal(signal.SIGINT)
-        try:
-            process.wait(10.0)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-
-
 class Nodes:
-    """A roscore and programs that talk through it, until they are closed."""
+    """A roscore, in this process, and programs that talk through it, until they are closed."""
 
     def __init__(self, folder):
-        self._stack, self._programs = contextlib.ExitStack(), []
-        self._log_path = folder / 'nodes.log'
-        self._log = self._stack.enter_context(open(str(self._log_path), 'wb'))
+        self._programs, self._log_path = [], folder / 'nodes.log'
+        self._log = open(str(self._log_path), 'wb')
         os.environ.update(ROS_HOSTNAME='localhost', ROS_LOG_DIR=str(folder), ROSCONSOLE_FORMAT='[${severity}] ${message}')
         for name in ('ROS_IP', 'ROS_NAMESPACE', 'ROSCONSOLE_STDOUT_LINE_BUFFERED'):
             os.environ.pop(name, None)
+        self._master = rosmaster.master.Master(port=0)  # any that is free
 
     def __enter__(self):
-        try:
-            self._start_master()
-        except BaseException:
-            self._stack.close()
-            raise
+        self._master.start()
+        os.environ['ROS_MASTER_URI'] = self._master.uri
         return self
 
     def __exit__(self, *_):
-        self._stack.close()
-
-    def _start_master(self):
-        # Whoever else takes the port in between, rosmaster ends then.
-        for _ in range(10):
-            with socket.socket() as free:
-                free.bind(('', 0))
-                port = free.getsockname()[1]
-            os.environ['ROS_MASTER_URI'] = 'http://localhost:%d' % port
-            process = self._stack.enter_context(running(['rosmaster', '--core', '-p', str(port)], self._log))
-            wait_for(lambda: process.poll() is not None or rosgraph.is_master_online(), 'roscore')
-            if process.poll() is None:
-                self._programs.append(('roscore', process))
-                return
-        raise BagError('roscore does not start: %s' % self.last_lines())
+        for _, process in self._programs:
+            process.send_signal(signal.SIGINT)
+        for _, process in self._programs:
+            try:
+                process.wait(10.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+        self._master.stop()
+        self._log.close()
 
     def start(self, name, node, *remappings):
         command = [program(name), '__name:=' + node.strip('/')] + ['%s:=%s' % pair for pair in remappings]
-        self._programs.append((node, self._stack.enter_context(running(command, self._log))))
+        # In a process group of its own: an interrupt key reaches it through us, when its turn has come.
+        self._programs.append((node, subprocess.Popen(command, stdout=self._log, stderr=subprocess.STDOUT, start_new_session=True)))
 
     def check_alive(self):
         for name, process in self._programs:

@@ -13,7 +13,7 @@ from bag_mapping.bag_reading import Bag, BagError, with_transforms_ahead
 from bag_mapping.lockstep import Lockstep, kind_of
 from bag_mapping.map_files import MapFiles
 from bag_mapping.nodes import Nodes
-from bag_mapping.parameters import Parameters
+from bag_mapping.read_ahead import ReadAhead
 from bag_mapping.transforms import MOVING, Transforms, survey
 
 AHEAD = raw_messages.SECOND // 2  # [ns] how far ahead of the frames tf is read
@@ -25,6 +25,7 @@ class Run:
 
     def __init__(self, path, options, progress):
         self.path, self.options, self.progress = path, options, progress
+        self.parameters = options.parameters
         self.folder = options.output or path.parent
         self.frames = self.answered = self.with_floor = 0
         self.refused, self.reasons = collections.Counter(), {}
@@ -34,17 +35,19 @@ class Run:
         """Writes the files and returns the text about them."""
         begin = time.monotonic()
         with contextlib.ExitStack() as stack:
+            # Also for genpy, which would clean up only when Python itself ends the process.
+            tempfile.tempdir = stack.enter_context(tempfile.TemporaryDirectory(prefix='map_from_bag.'))
             bag = stack.enter_context(Bag(self.path))
             self.cameras = depth_cameras.choose(bag, self.options)
-            self.parameters = Parameters(self.options.config, self.options.parameters)
+            topics = [topic for camera in self.cameras for topic in (camera.topic, camera.info) if topic] + [MOVING]
+            messages = stack.enter_context(ReadAhead(self.path, topics)).messages()
             fixed, robot = self.parameters.value('fixed_frame'), self.parameters.value('robot_frame')
             self.survey = survey(bag, self.cameras, fixed, robot)
             self.map_size, self.whole_size = self.parameters.map_size(self.survey.low, self.survey.high)
             unfinished = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(
                 prefix='.%s.' % self.path.stem, suffix='.unfinished', dir=str(self.folder))))
-            folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='map_from_bag.')))
-            nodes = stack.enter_context(Nodes(folder))
-            self._map(bag, nodes, unfinished / self.path.stem)
+            nodes = stack.enter_context(Nodes(pathlib.Path(tempfile.tempdir)))
+            self._map(bag, messages, nodes, unfinished / self.path.stem)
             self.seconds = bag.end - bag.start
             self.complaints = nodes.complaints()
             self.files = MapFiles(unfinished / self.path.stem)
@@ -53,7 +56,7 @@ class Run:
                 (unfinished / (self.path.stem + ending)).replace(self.folder / (self.path.stem + ending))
         return self._text(time.monotonic() - begin)
 
-    def _map(self, bag, nodes, path):
+    def _map(self, bag, messages, nodes, path):
         lockstep = Lockstep(nodes, self.cameras, self.parameters, self.map_size)
         lockstep.start(bag, self.survey.standing, (self.survey.low + self.survey.high) / 2.0)
         by_topic = {camera.topic: camera for camera in self.cameras}
@@ -61,8 +64,7 @@ class Run:
         total = sum(bag.counts[topic] for topic in by_topic)
         transforms = Transforms()
         transforms.add_standing(self.survey.standing)
-        topics = [*by_topic, *infos] + ([MOVING] if MOVING in bag.types else [])
-        for message, ahead in with_transforms_ahead(bag.messages(topics), lambda topic: topic == MOVING, AHEAD):
+        for message, ahead in with_transforms_ahead(messages, lambda topic: topic == MOVING, AHEAD):
             for data in ahead:
                 transforms.add(raw_messages.transforms_in(data))
             lockstep.tell_transforms(ahead)
@@ -107,7 +109,7 @@ class Run:
         lines.append(self.files.text())
         if self.whole_size > self.map_size:
             x, y = (self.survey.low + self.survey.high) / 2.0
-            lines.append('CUT: what the cameras could see needs a map of %.0f m; it holds what lies within %.0f m of (%.1f, %.1f)' % (
+            lines.append('cut: what the cameras could see needs a map of %.0f m; this one ends %.1f m from (%.1f, %.1f)' % (
                 self.whole_size, self.map_size / 2.0, x, y))
         if self.survey.robot != self.parameters.value('robot_frame'):
             lines.append("tf does not know '%s': the track is that of '%s'" % (self.parameters.value('robot_frame'), self.survey.robot))

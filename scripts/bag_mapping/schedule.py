@@ -10,6 +10,7 @@ import traceback
 
 from bag_mapping.bag_reading import BagError
 from bag_mapping.parameters import ParameterError
+from bag_mapping.run import Run
 
 
 class Progress:
@@ -45,12 +46,15 @@ class Progress:
         sys.stderr.flush()
 
 
-def work(path, options, pipe):
+def work(path, options, pipe, ends_of_others):
     """In the bag's own process."""
+    for end in ends_of_others:
+        end.close()  # or nobody would notice that the reader has gone
+
     def stop(*_):
         # Once: what is cleaned up then is not to be interrupted.
         for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, signal.SIG_IGN)
+            signal.signal(number, lambda *_: None)
         raise KeyboardInterrupt
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, stop)
@@ -63,7 +67,6 @@ def work(path, options, pipe):
             last = now
             pipe.send(('frames', done, total))  # fails when nobody is there any more
     try:
-        from bag_mapping.run import Run
         result = ('done', Run(path, options, progress).make())
     except (BagError, ParameterError, OSError) as error:
         result = ('failed', str(error))
@@ -85,7 +88,7 @@ def run_all(paths, options):
             while waiting and len(running) < options.jobs:
                 path = waiting.pop(0)
                 pipe, other = multiprocessing.Pipe(duplex=False)
-                process = multiprocessing.Process(target=work, args=(path, options, other))
+                process = multiprocessing.Process(target=work, args=(path, options, other, [pipe, *running]))
                 process.start()
                 other.close()
                 running[pipe] = (path, process)

@@ -1,5 +1,6 @@
 """A bag's transforms: those that stand still, and where cameras and robot went."""
 import collections
+import contextlib
 
 import genpy
 import numpy as np
@@ -10,6 +11,8 @@ from bag_mapping.bag_reading import BagError
 
 MOVING, STANDING = '/tf', '/tf_static'
 STEP = raw_messages.SECOND // 10  # [ns] between two looks at where a camera is
+# A compressed bag is unpacked to the last image for all of its transforms: of a long one a part has to do.
+SHORT, PERIOD, PART = 5.0, 1.0, 0.2  # [s]
 
 # transforms: those that stand still; low, high: where cameras were [m]; robot: its frame, or a camera's where tf has none
 Survey = collections.namedtuple('Survey', 'standing low high robot')
@@ -49,7 +52,7 @@ class Transforms:
             try:
                 self._buffer.lookup_transform_core(target, frame, time_of(stamp))
             except tf2_py.TransformException as reason:
-                return "no transform from '%s' to '%s': %s" % (frame, target, reason)
+                return "no transform from '%s' to '%s': %s" % (frame, target, str(reason).strip(' .'))
         return ''
 
     def frames(self):
@@ -60,42 +63,70 @@ class Transforms:
 def standing_in(bag):
     """The newest of each."""
     transforms = {}
-    for message in bag.messages([STANDING] if STANDING in bag.types else []):
+    for message in bag.messages([STANDING]):
         transforms.update((transform.child_frame_id, transform) for transform in raw_messages.transforms_in(message.data))
     return list(transforms.values())
 
 
+def part_of(bag):
+    """A fifth of each second's transforms, and the last ones; all of a short bag."""
+    if bag.end - bag.start < SHORT:
+        yield from bag.messages([MOVING])
+        return
+    begin = bag.start
+    while begin + PERIOD < bag.end:
+        yield from bag.messages([MOVING], begin, begin + PART)
+        begin += PERIOD
+    yield from bag.messages([MOVING], bag.end - PERIOD)
+
+
+class Ways:
+    """Where cameras and robot go in the fixed frame, as transforms come in."""
+
+    def __init__(self, frames, fixed, robot, standing):
+        self.frames, self.fixed, self.robot = frames, fixed, robot
+        self.known, self.places, self.has_robot = Transforms(), {frame: [] for frame in frames}, False
+        self.known.add_standing(standing)
+
+    def follow(self, messages):
+        last = None
+        for message in messages:
+            self.known.add(raw_messages.transforms_in(message.data))
+            if last is None or not 0 <= message.time - last < STEP:
+                last = message.time
+                self.look()
+        self.look()
+        return all(self.places.values())
+
+    def look(self):
+        for frame, places in self.places.items():
+            with contextlib.suppress(tf2_py.TransformException):
+                places.append(self.known.place(frame, self.fixed, 0))
+        self.has_robot = self.has_robot or not self.known.missing(self.robot, [self.fixed], 0)
+
+    def bounds(self):
+        """Two corners, with as much around them as a camera moves between two looks."""
+        places = [np.array(places) for places in self.places.values()]
+        stride = max(np.abs(np.diff(way, axis=0)).max(initial=0.0) for way in places) / 2.0
+        places = np.vstack(places)
+        return places.min(0) - stride, places.max(0) + stride
+
+
 def survey(bag, cameras, fixed, robot):
-    """Looks through all transforms: whether tf places the cameras in the fixed frame, and within which bounds they move.
+    """Looks through the transforms: whether tf places the cameras in the fixed frame, and within which bounds they move.
 
     Also whether it knows the robot's frame.
     """
     if MOVING not in bag.types and STANDING not in bag.types:
         raise BagError('it holds no tf: a map needs to know where the camera is in %s' % fixed)
-    known = Transforms()
-    standing = standing_in(bag)
-    known.add_standing(standing)
-    frames = sorted({camera.frame for camera in cameras})
-    places, has_robot, last = [], False, None
-
-    def look():
-        nonlocal has_robot
-        for frame in frames:
-            try:
-                places.append(known.place(frame, fixed, 0))
-            except tf2_py.TransformException:
-                pass
-        if not has_robot:
-            has_robot = not known.missing(robot, [fixed], 0)
-    for message in bag.messages([MOVING] if MOVING in bag.types else []):
-        known.add(raw_messages.transforms_in(message.data))
-        if last is None or not 0 <= message.time - last < STEP:
-            last = message.time
-            look()
-    look()
-    for frame in frames:
-        missing = known.missing(frame, [fixed], 0)
-        if missing:
+    frames, standing = sorted({camera.frame for camera in cameras}), standing_in(bag)
+    # Transforms that come seldom are not in each part.
+    for messages in (part_of(bag), bag.messages([MOVING])):
+        ways = Ways(frames, fixed, robot, standing)
+        if ways.follow(messages) and ways.has_robot:
+            break
+    for frame, places in ways.places.items():
+        if not places:
             raise BagError("its tf does not lead from '%s' to '%s'; it knows %s (fixed_frame:=NAME takes another one)" % (
-                frame, fixed, ', '.join(known.frames()) or 'no frame'))
-    return Survey(standing, np.min(places, 0), np.max(places, 0), robot if has_robot else frames[0])
+                frame, fixed, ', '.join(ways.known.frames()) or 'no frame'))
+    return Survey(standing, *ways.bounds(), robot if ways.has_robot else frames[0])
