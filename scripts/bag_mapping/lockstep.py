@@ -3,6 +3,7 @@ import collections
 import re
 import threading
 import time
+import warnings
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -26,6 +27,13 @@ TF_TIMEOUT = 1.0  # [s] transforms are known to be under way
 
 def pipeline_name(number, cameras):
     return '/polygonal_perception' + ('_%d' % number if len(cameras) > 1 else '')
+
+
+def publisher(topic, kind, latch=False):
+    """One that has written a message when it returns. Those with a queue drop messages when their threads do not get a turn."""
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore', SyntaxWarning)  # rospy advises against it
+        return rospy.Publisher(topic, kind, latch=latch, tcp_nodelay=True, queue_size=None)
 
 
 class Lockstep:
@@ -85,14 +93,12 @@ class Lockstep:
         return transform
 
     def _advertise(self, bag):
-        def publisher(topic, of):
-            return rospy.Publisher(topic, raw_messages.raw_type(*bag.definition(of)), queue_size=4, tcp_nodelay=True)
-        self._clock = rospy.Publisher('/clock', Clock, queue_size=4, tcp_nodelay=True)
-        tf_type = raw_messages.raw_type(TFMessage._type, TFMessage._md5sum, TFMessage._full_text)
-        self._tf = rospy.Publisher('/tf', tf_type, queue_size=4, tcp_nodelay=True)
-        self._standing = rospy.Publisher('/tf_static', TFMessage, queue_size=4, latch=True)
-        self._frames = {c.name: publisher(c.topic, c.topic) for c in self._cameras}
-        self._infos = {c.name: publisher(c.topic + '/info_of_each', c.info) for c in self._cameras if c.info}
+        self._clock = publisher('/clock', Clock)
+        self._tf = publisher('/tf', TFMessage)
+        self._standing = publisher('/tf_static', TFMessage, latch=True)
+        self._frames = {c.name: publisher(c.topic, raw_messages.raw_type(*bag.definition(c.topic))) for c in self._cameras}
+        self._infos = {c.name: publisher(c.topic + '/info_of_each', raw_messages.raw_type(*bag.definition(c.info)))
+                       for c in self._cameras if c.info}
 
     def _subscribe(self):
         topics = {MAP + '/polygons', '/diagnostics'}
@@ -126,9 +132,13 @@ class Lockstep:
                 self._reasons[name] = values['Last rejection']
             self._condition.notify_all()
 
-    def tell_transforms(self, messages):
-        if messages:
-            self._tf.publish(raw_messages.joined(messages))
+    def tell_transforms(self, transforms):
+        """The newest first: where one is in the nodes' tf, those after it are, too, or a place at its own time would differ in the last bit.
+
+        All in one message, for a reader's queue holds a hundred, and half a second may have more.
+        """
+        if transforms:
+            self._tf.publish(TFMessage(transforms[::-1]))
 
     def ask(self, camera, frame, info, time_recorded):
         """Sends a frame; whether the map took it with a floor, and why it was refused."""

@@ -48,12 +48,6 @@ def with_stamp_of(info, image):
     return info[:4] + image[4:12] + info[12:]
 
 
-def joined(tf_messages):
-    """All transforms of several TFMessages in one: a reader's queue holds a hundred messages, and a bag's half second may have more."""
-    count = sum(struct.unpack_from('<I', data)[0] for data in tf_messages)
-    return struct.pack('<I', count) + b''.join(data[4:] for data in tf_messages)
-
-
 def transforms_in(data):
     return TFMessage().deserialize(data).transforms
 

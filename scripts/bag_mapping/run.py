@@ -65,9 +65,8 @@ class Run:
         transforms = Transforms()
         transforms.add_standing(self.survey.standing)
         for message, ahead in with_transforms_ahead(messages, lambda topic: topic == MOVING, AHEAD):
-            for data in ahead:
-                transforms.add(raw_messages.transforms_in(data))
-            lockstep.tell_transforms(ahead)
+            moved = transforms.add(transform for data in ahead for transform in raw_messages.transforms_in(data))
+            lockstep.tell_transforms(moved)
             if message.topic in infos:
                 infos[message.topic] = message.data
             else:

@@ -34,12 +34,15 @@ class Transforms:
             self._buffer.set_transform_static(transform, 'bag')
 
     def add(self, transforms):
+        """Returns those that are new: tf2 complains of each that comes twice."""
+        new = []
         for transform in transforms:
             stamp = transform.header.stamp.to_nsec()
-            # tf2 complains of each that comes twice.
             if self._newest.get(transform.child_frame_id) != stamp:
                 self._newest[transform.child_frame_id] = stamp
                 self._buffer.set_transform(transform, 'bag')
+                new.append(transform)
+        return new
 
     def place(self, frame, fixed, stamp):
         """Where a frame is in another one, x and y; raises tf2_py.TransformException. Stamp 0: at the newest time."""

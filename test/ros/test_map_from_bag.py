@@ -151,29 +151,32 @@ class MapFromBagTest(unittest.TestCase):
         self.assertEqual(json.loads((self.folder / 'run.geojson').read_text())['inflation_radius'], 0.1)
 
     def test_bags_that_give_no_map(self):
+        """A sentence each, and the others come to their maps."""
         good = recorded_run.write(self.folder / 'good.bag', 0.5)
-        self.check_refused(self.folder / 'none.bag', 'none.bag: there is no such file')
-        bad = self.folder / 'bad.bag'
-        bad.write_bytes(b'')
-        self.check_refused(bad, 'it is empty')
-        bad.write_bytes(b'no bag at all')
-        self.check_refused(bad, 'it cannot be read')
         whole = good.read_bytes()
-        bad.write_bytes(whole[:len(whole) // 2])
-        self.check_refused(bad, 'it has no index')
-        bad.write_bytes(whole[:5000] + bytes(1000) + whole[6000:])
-        self.check_refused(bad, 'it cannot be read')
-        self.check_refused(recorded_run.write(bad, 0.5, with_tf=False), 'it holds no tf')
-        self.check_refused(good, "does not lead from 'camera_depth_optical_frame' to 'map'; it knows base_link", 'fixed_frame:=map')
-        self.check_refused(recorded_run.write(bad, 0.5, change=lambda *_: {}), 'no depth images with camera_info and no organised clouds')
-        self.check_refused(good, "it has no camera '/other'; there are: /camera", '--camera', 'other')
-
-    def test_a_bad_bag_does_not_keep_the_others_from_their_maps(self):
-        good = recorded_run.write(self.folder / 'good.bag', 0.5)
-        result = self.run_script(self.folder / 'none.bag', good)
+        expected = {'none': 'there is no such file', 'empty': 'it is empty', 'text': 'it cannot be read', 'cut': 'it has no index',
+                    'damaged': 'it cannot be read', 'placeless': 'it holds no tf',
+                    'blind': 'it has no depth images with camera_info and no organised clouds'}
+        paths = {name: self.folder / (name + '.bag') for name in expected}
+        for name, content in (('empty', b''), ('text', b'no bag at all'), ('cut', whole[:len(whole) // 2]),
+                              ('damaged', whole[:5000] + bytes(1000) + whole[6000:])):
+            paths[name].write_bytes(content)
+        recorded_run.write(paths['placeless'], 0.5, with_tf=False)
+        recorded_run.write(paths['blind'], 0.5, change=lambda *_: {})
+        result = self.run_script(*paths.values(), good)
         self.assertEqual(result.returncode, 1)
-        self.assertIn('none.bag: there is no such file', result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), len(expected), result.stderr)
+        for (name, text), line in zip(expected.items(), lines):
+            self.assertIn('%s: %s' % (paths[name], text), line)
         self.assertEqual(len(self.files(self.folder, 'good')), len(ENDINGS))
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.suffix != '.bag' and p.stem != 'good'], [])
+
+    def test_what_is_asked_for_and_not_there(self):
+        good = recorded_run.write(self.folder / 'good.bag', 0.5)
+        self.check_refused(good, "does not lead from 'camera_depth_optical_frame' to 'map'; it knows base_link", 'fixed_frame:=map')
+        self.check_refused(good, "it has no camera '/other'; there are: /camera", '--camera', 'other')
+        self.check_refused(good, 'robot_radius is 99, accepted is 0 to 5 m', 'robot_radius:=99')
 
     def test_bad_options(self):
         bag = self.folder / 'run.bag'
