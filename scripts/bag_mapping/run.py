@@ -80,7 +80,7 @@ class Run:
         self.frames += 1
         stamp = raw_messages.stamp_of(message.data)
         # The node would wait for what does not come, and then say the same.
-        reason = transforms.missing(raw_messages.frame_of(message.data), self.parameters.frames(), stamp) if stamp else ''
+        reason = transforms.missing(raw_messages.frame_of(message.data), self.parameters.frames(), stamp)
         if not reason:
             has_floor, reason = lockstep.ask(camera, message.data, infos.get(camera.info), message.time)
         if reason:

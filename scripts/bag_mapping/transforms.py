@@ -50,7 +50,9 @@ class Transforms:
         return t.x, t.y
 
     def missing(self, frame, targets, stamp):
-        """Why one of the targets cannot be reached from a frame, or nothing."""
+        """Why one of the targets cannot be reached from a frame at a frame's stamp, or nothing."""
+        if stamp == 0:
+            return "no transform from '%s': header.stamp is 0, accepted is the frame's time" % frame
         for target in targets:
             try:
                 self._buffer.lookup_transform_core(target, frame, time_of(stamp))
@@ -105,7 +107,9 @@ class Ways:
         for frame, places in self.places.items():
             with contextlib.suppress(tf2_py.TransformException):
                 places.append(self.known.place(frame, self.fixed, 0))
-        self.has_robot = self.has_robot or not self.known.missing(self.robot, [self.fixed], 0)
+        if not self.has_robot:
+            with contextlib.suppress(tf2_py.TransformException):
+                self.has_robot = bool(self.known.place(self.robot, self.fixed, 0))
 
     def bounds(self):
         """Two corners, with as much around them as a camera moves between two looks."""

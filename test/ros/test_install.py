@@ -125,6 +125,9 @@ class InstallTest(unittest.TestCase):
         message = self.run_installed('rosmsg', 'show', 'polygonal_perception/PolygonArray')
         for field in ['uint8 floor_status', 'float64 inflation_radius', 'geometry_msgs/Polygon extent']:
             self.assertIn(field, message)
+        done = subprocess.run(['rosrun', 'polygonal_perception', 'map_from_bag', 'none.bag'], env=self.environment, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertEqual((done.returncode, done.stdout), (1, 'map_from_bag: none.bag: there is no such file\n'))
 
     def test_an_outside_project_links_the_core_library(self):
         output = self.run_installed(os.path.join(self.build_outside('test', 'outside_project'), 'outside_project'))
