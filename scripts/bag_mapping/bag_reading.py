@@ -51,7 +51,7 @@ class Bag:
 
     def definition(self, topic):
         """Type, md5sum and text of a topic's messages, as they were recorded."""
-        connection = next(self._bag._get_connections([topic]))  # rosbag shows them to nobody who is polite
+        connection = next(self._bag._get_connections([topic]))  # rosbag has no public way to it
         return connection.datatype, connection.md5sum, connection.msg_def
 
     def messages(self, topics, start=None, end=None):

@@ -30,12 +30,13 @@ class ReadAhead:
     """Begins at once, and stays by a message ahead of its reader. To be made before there are threads."""
 
     def __init__(self, path, topics):
-        self._pipe, other = multiprocessing.Pipe(duplex=False)
+        processes = multiprocessing.get_context('fork')  # newer Pythons would begin anew
+        self._pipe, other = processes.Pipe(duplex=False)
         try:
             fcntl.fcntl(other.fileno(), F_SETPIPE_SZ, PIPE)
         except OSError:
             pass  # an administrator may allow less
-        self._process = multiprocessing.Process(target=pump, args=(path, topics, other, self._pipe), daemon=True)
+        self._process = processes.Process(target=pump, args=(path, topics, other, self._pipe), daemon=True)
         self._process.start()
         other.close()
 

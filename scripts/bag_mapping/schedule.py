@@ -82,13 +82,14 @@ def work(path, options, pipe, ends_of_others):
 
 def run_all(paths, options):
     """Makes all maps, at most options.jobs at once. Prints what became of each; whether all were made."""
+    processes = multiprocessing.get_context('fork')  # newer Pythons would begin anew
     progress, waiting, running, good = Progress(len(paths)), list(paths), {}, True
     try:
         while waiting or running:
             while waiting and len(running) < options.jobs:
                 path = waiting.pop(0)
-                pipe, other = multiprocessing.Pipe(duplex=False)
-                process = multiprocessing.Process(target=work, args=(path, options, other, [pipe, *running]))
+                pipe, other = processes.Pipe(duplex=False)
+                process = processes.Process(target=work, args=(path, options, other, [pipe, *running]))
                 process.start()
                 other.close()
                 running[pipe] = (path, process)
