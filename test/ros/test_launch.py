@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Starts each launch file as a user does and looks at what comes out."""
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -9,6 +10,7 @@ import numpy as np
 import rosbag
 import rospy
 import rostest
+import yaml
 from tf2_msgs.msg import TFMessage
 
 import scene
@@ -62,6 +64,13 @@ class LaunchTest(unittest.TestCase):
                     self.assertEqual(client.answer(stamps[8])['floor'].status, FOUND)
                     client.answers.clear()
                 client.wait_for_log('time has jumped back')
+
+    def test_a_robots_map_and_frames_have_one_radius(self):
+        for robot in ('robotino', 'nao'):
+            text = subprocess.check_output(['roslaunch', '--dump-params', 'polygonal_perception', robot + '.launch',
+                                            'simulation:=true', 'map:=true'], text=True)
+            values = yaml.safe_load(text)
+            self.assertEqual(values['/polygon_map/robot_radius'], values['/polygonal_perception/robot_radius'], robot)
 
     @unittest.skipUnless(rospy.get_param('/has_simulation', False), 'built without Embree')
     def test_the_demo_finds_the_true_floor(self):
