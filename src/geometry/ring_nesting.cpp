@@ -1,77 +1,116 @@
 #include "geometry/ring_nesting.hpp"
 
-#include <algorithm>
-#include <vector>
+#include <map>
 
 #include "geometry/invalidity.hpp"
-#include "geometry/overlapping_boxes.hpp"
-#include "polygonal_perception/geometry/location.hpp"
-#include "polygonal_perception/geometry/measures.hpp"
+#include "geometry/ring_sweep.hpp"
 
 namespace polygonal_perception::geometry {
 
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+/// The rings around the one that is looked at, and what they say about it.
+class Enclosure
+{
+public:
+  explicit Enclosure(const PolygonSet& polygons)
+      : polygons_(polygons),
+        boundary_of_(polygons.rings.size()),
+        holes_(polygons.rings.size(), 0),
+        depth_(polygons.rings.size(), 0)
+  {
+    for (std::uint32_t r = 0; r < polygons.rings.size(); ++r)
+      boundary_of_[r] = polygons.rings[r].hole ? boundary_of_[r - 1] : r;
+  }
+
+  void enter(std::uint32_t ring)
+  {
+    const std::uint32_t boundary = boundary_of_[ring];
+    if (polygons_.rings[ring].hole) {
+      if (holes_[boundary]++ == 0 && depth_[boundary] > 0) covering_.erase(depth_[boundary]);
+    } else {
+      depth_[ring] = ++entered_;
+      if (holes_[ring] == 0) covering_[depth_[ring]] = ring;
+    }
+  }
+
+  void leave(std::uint32_t ring)
+  {
+    const std::uint32_t boundary = boundary_of_[ring];
+    if (polygons_.rings[ring].hole) {
+      if (--holes_[boundary] == 0 && depth_[boundary] > 0) covering_[depth_[boundary]] = boundary;
+    } else {
+      covering_.erase(depth_[ring]);
+      depth_[ring] = 0;
+      --entered_;
+    }
+  }
+
+  /// What is wrong with a ring that lies in all that were entered.
+  std::optional<Invalidity> faultOf(std::uint32_t ring) const
+  {
+    const Eigen::Vector2d& vertex = polygons_.vertices[polygons_.rings[ring].first];
+    const std::uint32_t boundary = boundary_of_[ring];
+    if (!polygons_.rings[ring].hole) {
+      if (covering_.empty()) return std::nullopt;
+      return invalidity(Defect::kPolygonsOverlap, ring, vertex,
+                        "lies inside of the polygon of ring " + std::to_string(covering_.rbegin()->second));
+    }
+    if (depth_[boundary] == 0)
+      return invalidity(Defect::kHoleOutside, ring, vertex, "is a hole outside of its boundary");
+    if (holes_[boundary] > 0) return invalidity(Defect::kHoleOutside, ring, vertex, "is a hole in a hole");
+    return std::nullopt;
+  }
+
+private:
+  const PolygonSet& polygons_;
+  std::vector<std::uint32_t> boundary_of_;  // of each ring's polygon
+  // Of each boundary: how many of its polygon's holes were entered, and how many boundaries with it; 0: it was not.
+  std::vector<std::uint32_t> holes_;
+  std::vector<std::uint32_t> depth_;
+  std::uint32_t entered_ = 0;
+  std::map<std::uint32_t, std::uint32_t> covering_;  // by depth: boundaries without any of their holes
+};
 
 }  // namespace
 
-std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons)
+std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons,
+                                           const std::vector<std::uint32_t>& around)
 {
-  const std::size_t count = polygons.rings.size();
-  std::vector<Eigen::AlignedBox2d> boxes(count);
-  std::vector<std::size_t> boundary_of(count);  // of each ring's polygon
-  for (std::size_t r = 0; r < count; ++r) {
-    const RingView ring = polygons.view(polygons.rings[r]);
-    if (polygons.rings[r].hole && r == 0) {
-      return invalidity(Defect::kHoleOutside, r, ring[0], "is a hole without a boundary");
-    }
-    boxes[r] = bounds(ring);
-    boundary_of[r] = polygons.rings[r].hole ? boundary_of[r - 1] : r;
+  const auto count = static_cast<std::uint32_t>(polygons.rings.size());
+  if (count == 0) return std::nullopt;
+  if (polygons.rings[0].hole) {
+    return invalidity(Defect::kHoleOutside, 0, polygons.vertices[polygons.rings[0].first],
+                      "is a hole without a boundary");
   }
-  // The innermost ring around each one, which leads to the others. Rings do not meet, so that the box of one in
-  // another lies inside of the other's box. Lists of all around each would need memory for a square of rings.
-  std::vector<std::size_t> around(count, kNone);
-  const auto note = [&](std::size_t inner, std::size_t outer) {
-    if (boxes[outer].min().x() >= boxes[inner].min().x()) return;
-    const Eigen::Vector2d& vertex = polygons.view(polygons.rings[inner])[0];
-    if (locate(vertex, polygons.view(polygons.rings[outer])) != Location::kInside) return;
-    if (around[inner] == kNone || boxes[outer].min().x() > boxes[around[inner]].min().x())
-      around[inner] = outer;
-  };
-  anyOverlappingPair(boxes, [&](std::uint32_t i, std::uint32_t j) {
-    note(i, j);
-    note(j, i);
-    return false;
-  });
-
-  std::vector<std::size_t> crossed;  // the boundaries of the holes around a ring
-  for (std::size_t r = 0; r < count; ++r) {
-    const Eigen::Vector2d& vertex = polygons.view(polygons.rings[r])[0];
-    if (polygons.rings[r].hole) {
-      bool in_boundary = false;
-      bool in_sibling = false;
-      for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
-        in_boundary = in_boundary || outer == boundary_of[r];
-        in_sibling = in_sibling || (polygons.rings[outer].hole && boundary_of[outer] == boundary_of[r]);
-      }
-      if (!in_boundary)
-        return invalidity(Defect::kHoleOutside, r, vertex, "is a hole outside of its boundary");
-      if (in_sibling) return invalidity(Defect::kHoleOutside, r, vertex, "is a hole in a hole");
+  // The rings right inside of each one, and of none, as lists.
+  std::vector<std::uint32_t> inside(count + 1, RingSweep::kNone);
+  std::vector<std::uint32_t> beside(count, RingSweep::kNone);
+  for (std::uint32_t r = 0; r < count; ++r) {
+    std::uint32_t& first = inside[around[r] == RingSweep::kNone ? count : around[r]];
+    beside[r] = first;
+    first = r;
+  }
+  // From the outside in and back: rings may lie in one another deeper than calls may.
+  std::optional<Invalidity> found;  // the one with the least ring
+  Enclosure enclosure(polygons);
+  std::vector<std::uint32_t> entered;
+  std::uint32_t next = inside[count];
+  while (next != RingSweep::kNone || !entered.empty()) {
+    if (next == RingSweep::kNone) {
+      enclosure.leave(entered.back());
+      next = beside[entered.back()];
+      entered.pop_back();
       continue;
     }
-    crossed.clear();
-    for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
-      if (polygons.rings[outer].hole) crossed.push_back(boundary_of[outer]);
+    if (!found || next < found->ring) {
+      if (auto fault = enclosure.faultOf(next)) found = std::move(fault);
     }
-    std::sort(crossed.begin(), crossed.end());
-    for (std::size_t outer = around[r]; outer != kNone; outer = around[outer]) {
-      if (polygons.rings[outer].hole || std::binary_search(crossed.begin(), crossed.end(), outer)) continue;
-      return invalidity(Defect::kPolygonsOverlap, r, vertex,
-                        "lies inside of the polygon of ring " + std::to_string(outer));
-    }
+    enclosure.enter(next);
+    entered.push_back(next);
+    next = inside[next];
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace polygonal_perception::geometry

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "polygonal_perception/geometry/validity.hpp"
 
 namespace polygonal_perception::geometry {
 
 /// Looks for rings that lie where they must not: kHoleOutside or kPolygonsOverlap.
-/// @pre the rings do not meet, so that one vertex says where a ring lies
-std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons);
+/// @param around  of each ring the innermost one around it, or RingSweep::kNone
+/// @pre the rings do not meet
+std::optional<Invalidity> findWrongNesting(const PolygonSet& polygons,
+                                           const std::vector<std::uint32_t>& around);
 
 }  // namespace polygonal_perception::geometry

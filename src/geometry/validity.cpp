@@ -3,6 +3,7 @@
 #include "geometry/invalidity.hpp"
 #include "geometry/ring_contacts.hpp"
 #include "geometry/ring_nesting.hpp"
+#include "geometry/ring_sweep.hpp"
 #include "polygonal_perception/geometry/predicates.hpp"
 
 namespace polygonal_perception::geometry {
@@ -43,9 +44,10 @@ std::optional<Invalidity> findDefect(const PolygonSet& polygons)
   for (std::size_t r = 0; r < polygons.rings.size(); ++r) {
     if (auto found = findBadVertex(polygons.view(polygons.rings[r]), r)) return found;
   }
-  if (auto found = findContact(polygons)) return found;
+  RingSweep sweep(polygons);
+  if (auto found = findContact(polygons, sweep)) return found;
   if (auto found = findWrongOrientation(polygons)) return found;
-  return findWrongNesting(polygons);
+  return findWrongNesting(polygons, sweep.around());
 }
 
 }  // namespace polygonal_perception::geometry

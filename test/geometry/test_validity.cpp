@@ -84,7 +84,7 @@ TEST(Validity, RingsThatMeet)
   expectDefect({{kSquare}, {{{4, 4}, {12, 4}, {4, 5}}}}, defect, 0, {8, 4});
   expectDefect({{kSquare}, {{{8, 8}, {12, 8}, {12, 12}}}}, defect, 0, {8, 8});         // in a corner
   expectDefect({{kSquare}, {{{2, 2}, {2, 8}, {6, 2}}, true}}, defect, 0, {2, 8});      // its hole
-  expectDefect({{kSquare}, {{{8, 2}, {12, 2}, {12, 4}, {8, 4}}}}, defect, 0, {8, 2});  // along an edge
+  expectDefect({{kSquare}, {{{8, 2}, {12, 2}, {12, 4}, {8, 4}}}}, defect, 0, {8, 4});  // along an edge
 }
 
 TEST(Validity, WrongOrientation)

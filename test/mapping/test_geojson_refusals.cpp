@@ -159,7 +159,7 @@ TEST(GeoJsonRefusals, WhatFindDefectFinds)
   EXPECT_EQ(errorOf(polygon("[[[0,0],[4,4],[8,8],[0,0]]]")),
             "feature 1, ring 0 crosses or touches itself at (4, 4)");
   EXPECT_EQ(errorOf(polygon("[[[0,0],[8,0],[8,8],[0,0]], [[5,1],[5,2],[9,2],[5,1]]]")),
-            "feature 1, ring 0 meets feature 1, ring 1 at (8, 2)");
+            "feature 1, ring 0 meets feature 1, ring 1 at (8, 1.75)");
   EXPECT_EQ(errorOf(polygon("[[[0,0],[8,0],[8,8],[0,0]], [[5,11],[5,12],[6,12],[5,11]]]")),
             "feature 1, ring 1 is a hole outside of its boundary at (5, 11)");
   EXPECT_EQ(errorOf(polygon("[[[22,21],[23,21],[23,22],[22,21]]]")),

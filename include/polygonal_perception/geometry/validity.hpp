@@ -37,10 +37,10 @@ struct Invalidity
 /// are allowed. Signs are exact, so that the answer does not depend on rounding (within the limits of
 /// predicates.hpp).
 ///
-/// The time is near n log n for n vertices as long as few edges' bounding boxes overlap along x.
+/// The time grows as n log n for n vertices, wherever they lie.
 ///
 /// @return nothing where the set is valid, as one without polygons is; else the first defect that was found,
-///         looked for in the order of Defect
+///         looked for in the order of Defect, and of rings that meet from the left to the right
 POLYGONAL_PERCEPTION_EXPORT std::optional<Invalidity> findDefect(const PolygonSet& polygons);
 
 }  // namespace polygonal_perception::geometry
