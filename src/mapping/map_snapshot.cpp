@@ -1,10 +1,9 @@
 #include "polygonal_perception/mapping/map_snapshot.hpp"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
-#include "polygonal_perception/geometry/distance.hpp"
-#include "polygonal_perception/geometry/location.hpp"
+#include "mapping/drawn_cells.hpp"
 
 namespace polygonal_perception::mapping {
 
@@ -19,44 +18,6 @@ const std::vector<std::uint8_t>* findLayer(const SavedCells& cells, const char* 
     if (layer.name == name) return &layer.values;
   }
   return nullptr;
-}
-
-/// The cells that polygons reach into.
-struct DrawnCells
-{
-  occupancy::GridGeometry geometry;
-  std::vector<std::uint8_t> heights;
-};
-
-std::optional<DrawnCells> drawCells(const geometry::PolygonSet& polygons, double resolution)
-{
-  constexpr double kMostCells = 4e6;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& vertex : polygons.vertices) box.extend(vertex);
-  DrawnCells drawn;
-  occupancy::GridGeometry& grid = drawn.geometry;
-  grid.resolution = resolution;
-  if (box.isEmpty()) box.extend(Eigen::Vector2d::Zero());
-  const Eigen::Vector2d first = (box.min() / resolution).array().floor();
-  const Eigen::Vector2d size = (box.max() / resolution).array().floor() + 1.0 - first.array();
-  if (!(size.prod() <= kMostCells)) return std::nullopt;
-  grid.origin_x = first.x() * resolution;
-  grid.origin_y = first.y() * resolution;
-  grid.cells_x = static_cast<int>(size.x());
-  grid.cells_y = static_cast<int>(size.y());
-  drawn.heights.assign(grid.size(), 0);
-  const double to_corner = std::sqrt(0.5) * resolution;
-  for (int j = 0; j < grid.cells_y; ++j) {
-    for (int i = 0; i < grid.cells_x; ++i) {
-      const Eigen::Vector2d middle(grid.origin_x + (i + 0.5) * resolution,
-                                   grid.origin_y + (j + 0.5) * resolution);
-      if (geometry::locate(middle, polygons) != geometry::Location::kOutside ||
-          geometry::distanceToBoundary(middle, polygons) < to_corner)
-        drawn.heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.cells_x) +
-                      static_cast<std::size_t>(i)] = 0xFF;
-    }
-  }
-  return drawn;
 }
 
 }  // namespace
@@ -119,10 +80,14 @@ std::optional<MapFileError> restoreSnapshot(const MapFile& file, double resoluti
         "be told, "
         "accepted are polygons as things stand, without inflation_radius"};
   }
-  const auto drawn = drawCells(file.polygons, resolution);
-  if (!drawn) return MapFileError{"the polygons reach over more than 4e6 cells"};
-  map.map().restore(drawn->geometry, drawn->heights, std::vector<std::uint8_t>(drawn->heights.size(), 0),
-                    stamp);
+  const auto drawing = drawCells(file.polygons, resolution);
+  if (const auto* const error = std::get_if<MapFileError>(&drawing)) return *error;
+  const auto& drawn = std::get<DrawnCells>(drawing);
+  std::vector<std::uint8_t> heights(drawn.cells.size());
+  constexpr std::uint8_t kAll = 0xFF;
+  std::transform(drawn.cells.begin(), drawn.cells.end(), heights.begin(),
+                 [](std::uint8_t cell) { return cell != 0 ? kAll : std::uint8_t{0}; });
+  map.map().restore(drawn.geometry, heights, std::vector<std::uint8_t>(heights.size(), 0), stamp);
   return std::nullopt;
 }
 
