@@ -4,6 +4,15 @@
 
 namespace polygonal_perception::ros_common {
 
+std::string shortened(const std::string& text)
+{
+  constexpr std::size_t kLongest = 1000;
+  constexpr std::size_t kEnd = 300;
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, kLongest - kEnd) + " [" + std::to_string(text.size() - kLongest) +
+         " bytes left out] " + text.substr(text.size() - kEnd);
+}
+
 void ThrottledLog::error(const std::string& kind, const std::string& text)
 {
   if (due(kind)) ROS_ERROR_STREAM("[" << name_ << "] " << text);

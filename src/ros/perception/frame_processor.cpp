@@ -10,20 +10,6 @@
 
 namespace polygonal_perception::ros_perception {
 
-namespace {
-
-/// A frame_id or an encoding may have megabytes, which would go into each report.
-std::string shortened(const std::string& text)
-{
-  constexpr std::size_t kLongest = 1000;
-  constexpr std::size_t kEnd = 300;  // has what is accepted
-  if (text.size() <= kLongest) return text;
-  return text.substr(0, kLongest - kEnd) + " [" + std::to_string(text.size() - kLongest) +
-         " bytes left out] " + text.substr(text.size() - kEnd);
-}
-
-}  // namespace
-
 FrameProcessor::FrameProcessor(const PerceptionParameters& parameters, const std::string& info_topic,
                                const Outputs& outputs, ros_common::FrameStatistics& statistics,
                                ros_common::ThrottledLog& log)
@@ -64,7 +50,7 @@ bool FrameProcessor::processUnguarded(const InputFrame& frame, bool may_wait)
     return true;
   }
   if (const std::string notice = depth_input_.takeNotice(); !notice.empty())
-    log_.warn("distortion", shortened(notice));
+    log_.warn("distortion", ros_common::shortened(notice));
   if (const std::string error = frameError(header.frame_id); !error.empty()) {
     reject("input", error);
     return true;
@@ -135,8 +121,8 @@ void FrameProcessor::followFrame(const std::string& frame_id)
 {
   if (frame_id == input_frame_) return;
   if (!input_frame_.empty()) {
-    log_.warn("frame_id", "header.frame_id has changed from '" + shortened(input_frame_) + "' to '" +
-                              shortened(frame_id) + "': starting anew");
+    log_.warn("frame_id", "header.frame_id has changed from '" + ros_common::shortened(input_frame_) +
+                              "' to '" + ros_common::shortened(frame_id) + "': starting anew");
     resetFloor();
   }
   input_frame_ = frame_id;
@@ -202,7 +188,7 @@ void FrameProcessor::resetTime(const std::string& reason)
 
 void FrameProcessor::reject(const char* kind, const std::string& reason)
 {
-  const std::string text = shortened(reason);
+  const std::string text = ros_common::shortened(reason);
   statistics_.rejected(text);
   log_.error(kind, text);
 }

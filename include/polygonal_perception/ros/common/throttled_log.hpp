@@ -8,6 +8,10 @@
 
 namespace polygonal_perception::ros_common {
 
+/// A frame_id or an encoding may have megabytes, which would go into each report: of a long text the begin and the end,
+/// which has what is accepted.
+POLYGONAL_PERCEPTION_EXPORT std::string shortened(const std::string& text);
+
 /// Says what is wrong, but not thirty times a second: each kind of complaint at most every few seconds.
 ///
 /// Unlike ROS_ERROR_THROTTLE it works by the wall clock, since simulated time may stand still or jump back,
