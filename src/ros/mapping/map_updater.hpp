@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/mapping/polygon_map.hpp"
 #include "polygonal_perception/ros/common/expected.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
 #include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "polygonal_perception/ros/common/throttled_log.hpp"
+#include "ros/mapping/map_intake.hpp"
 #include "ros/mapping/map_outputs.hpp"
-#include "ros/mapping/map_sources.hpp"
 #include "ros/mapping/polygon_map_parameters.hpp"
 
 namespace polygonal_perception::ros_mapping {
@@ -31,33 +30,27 @@ public:
 
   void configure(const PolygonMapParameters& parameters);
   /// Forgets the map, and when observations came.
-  void clear();
+  void clear() { intake_.clear(); }
   /// Time has jumped back: forgets the transforms, too.
   void resetTime(const std::string& reason);
-  const ros::Time& newestStamp() const { return newest_; }
+  const ros::Time& newestStamp() const { return intake_.newestStamp(); }
 
   /// @return what was done, or why not
   ros_common::Expected<std::string> save(const std::string& path);
   /// The map is published once it is loaded.
   ros_common::Expected<std::string> load(const std::string& path);
 
-  const MapSources& sources() const { return sources_; }
+  const MapSources& sources() const { return intake_.sources(); }
 
 private:
-  /// Where an observation and the robot are.
-  struct Placement
-  {
-    Eigen::Isometry3d grid_to_fixed;
-    Eigen::Isometry3d robot_to_fixed;
-  };
-  ros_common::Expected<Placement> place(const std_msgs::Header& header) const;
-  void take(std::size_t source, const ObservedCells& cells, const Placement& placement);
+  ros_common::Expected<MapIntake::Placement> place(const std_msgs::Header& header) const;
   struct Published
   {
     mapping::PolygonMap::StageTimes times;
     ros_common::FrameStatistics::Clock::duration messages;
   };
   Published publish(std_msgs::Header header, std::uint8_t floor_status);
+  void forgetTime(const std::string& reason);
   void reject(const char* kind, const std::string& reason);
 
   PolygonMapParameters parameters_;
@@ -65,10 +58,7 @@ private:
   ros_common::FrameStatistics& statistics_;
   ros_common::ThrottledLog& log_;
   ros_common::TfBridge tf_;
-  MapSources sources_;
-  mapping::PolygonMap map_;
-  float slab_height_ = 0.0F;  // [m] of what is in the map; 0: nothing yet
-  ros::Time newest_;
+  MapIntake intake_;
 };
 
 }  // namespace polygonal_perception::ros_mapping
