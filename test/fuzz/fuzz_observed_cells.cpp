@@ -78,7 +78,7 @@ Eigen::Isometry3d anyTransform(ByteReader& bytes)
 /// Sets of parameters that a client may send, as far as they keep the map small.
 void anyParameters(ByteReader& bytes, double resolution, mapping::PolygonMap::Parameters& parameters)
 {
-  parameters.map.map_size = (1 + bytes.byte() % 48) * resolution;
+  parameters.map.map_size = (1 + bytes.byte() % 32) * resolution;
   parameters.map.clear_views = 1 + bytes.byte() % 4;
   parameters.map.remember = bytes.byte() % 4 == 0 ? 0.1 * (1 + bytes.byte()) : 1.0 / 0.0;
 }
@@ -100,7 +100,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int k = 0; k < kMostFrames && !bytes.empty(); ++k) {
     if (bytes.byte() % 8 == 0) anyParameters(bytes, resolution, parameters);
     if (bytes.byte() % 32 == 0) intake.clear();
-    lengths.radius = bytes.raw<std::uint16_t>() % 20001;
+    lengths.radius = bytes.raw<std::uint16_t>() % 5001;
     lengths.tolerance = bytes.raw<std::uint16_t>() % 4001;
     const std::size_t source = bytes.byte() % kSources;
     ObservedCells cells = anyCells(bytes, resolution);
@@ -114,15 +114,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ros_mapping::MapIntake::Placement placement{std::nullopt, anyTransform(bytes)};
     if (bytes.byte() % 4 != 0) placement.grid_to_fixed = anyTransform(bytes);
     if (admission.fault != nullptr || !placement.isNear()) continue;
-    // Only a map that begins takes its resolution from a message: one with millions of cells is no different, and slow.
+    // Larger maps and radii are no different, and slow to check.
+    constexpr double kMostCells = 32.0;
     mapping::PolygonMap& map = intake.map();
-    if (!map.map().isActive() && parameters.map.map_size > 64.0 * cells.info.resolution) continue;
+    const double map_resolution =
+        map.map().isActive() ? map.map().geometry().resolution : cells.info.resolution;
+    parameters.map.map_size = std::min(parameters.map.map_size, kMostCells * map_resolution);
+    lengths.setIn(parameters, map_resolution);
+    intake.configure(parameters);
     intake.take(source, cells, placement, 0.3);
-    lengths.setIn(parameters, map.map().geometry().resolution);
+    lengths.setIn(parameters, map.map().geometry().resolution);  // a message has it in single precision
     intake.configure(parameters);
     mapping::PolygonMap::Products all;
     all.seen = all.polygons = true;
-    if (map.map().geometry().cells_x <= 64) requireSound(map.make(all), lengths);
+    requireSound(map.make(all), lengths);
   }
   return 0;
 }

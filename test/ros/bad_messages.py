@@ -18,6 +18,15 @@ def set_to(**values):
     return spoil
 
 
+def within(path, **values):
+    """The same for a message in the message."""
+    def spoil(message):
+        for name in path.split('.'):
+            message = getattr(message, name)
+        set_to(**values)(message)
+    return spoil
+
+
 def field(index, **values):
     def spoil(message):
         set_to(**values)(message.fields[index])
@@ -140,6 +149,31 @@ INFOS = {
 
 
 
+# The grid has 40 x 40 cells.
+CELLS = {
+    **{'a_resolution_of_%s' % v: (within('info', resolution=v), 'info.resolution is %s, accepted is 0.001 to 10 m' % t)
+       for v, t in ((0.0, '0'), (-1.0, '-1'), (1e30, '1e+30'), (NAN, 'nan'), (INFINITY, 'inf'))},
+    **{'a_slab_height_of_%s' % v: (set_to(slab_height=v), 'slab_height is %s, accepted is a finite number above 0 m' % t)
+       for v, t in ((0.0, '0'), (-1.0, '-1'), (NAN, 'nan'), (INFINITY, 'inf'))},
+    'another_slab_height': (set_to(slab_height=0.1), 'slab_height is 0.1 and in the map 0.07, accepted are sensors with the same'),
+    'too_many_cells': (within('info', width=2001, height=2000), 'info.width times info.height is 4.002e+06, accepted is at most 4e6'),
+    # 65536 x 65536 is 0 in 32 bits.
+    'sizes_whose_product_overflows': (within('info', width=65536, height=65536), 'accepted is at most 4e6'),
+    'huge_sizes': (within('info', width=LARGEST, height=LARGEST), 'accepted is at most 4e6'),
+    'sizes_beyond_the_data': (within('info', width=41), 'hit has 1600 cells, accepted is 1640, info.width times info.height'),
+    **{name + '_too_short': (set_to(**{name: bytes(1599)}), name + ' has 1599 cells, accepted is 1600') for name in ('hit', 'free', 'floor')},
+    **{name + '_too_long': (set_to(**{name: bytes(1601)}), name + ' has 1601 cells, accepted is 1600') for name in ('hit', 'free', 'floor')},
+    **{'no_' + name: (set_to(**{name: b''}), name + ' has 0 cells, accepted is 1600') for name in ('hit', 'free', 'floor')},
+    **{'a_place_of_%s' % v: (within('info.origin.position', x=v), 'info.origin is no pose: accepted is a place within 1000 km')
+       for v in (1e7, 1e300, NAN, -INFINITY)},
+    'no_rotation': (within('info.origin.orientation', w=0.0), 'info.origin is no pose: accepted is a place within 1000 km and a unit'),
+    'a_rotation_of_nan': (within('info.origin.orientation', z=NAN), 'info.origin is no pose'),
+    'a_rotation_too_long': (within('info.origin.orientation', w=2.0), 'info.origin is no pose'),
+    'a_frame_nobody_knows': (set_to(header_frame_id='nowhere'), "no transform from 'nowhere' to 'odom'"),
+    'a_stamp_of_0': (set_to(header_stamp=rospy.Time()), 'header.stamp is 0'),
+}
+
+
 def padded(step):
     """Rows that begin anywhere."""
     def spoil(image):
@@ -187,6 +221,17 @@ STRANGE_INFOS = {
     'another_frame': set_to(header_frame_id='another'),
     'an_older_stamp': set_to(header_stamp=rospy.Time(1)),
     'the_whole_region': lambda info: (setattr(info.roi, 'width', 160), setattr(info.roi, 'height', 120)),
+}
+STRANGE_CELLS = {
+    'no_cells': lambda cells: (within('info', width=0, height=0)(cells), set_to(hit=b'', free=b'', floor=b'')(cells)),
+    'one_row': lambda cells: within('info', width=1600, height=1)(cells),
+    'hits_everywhere': set_to(hit=b'\xff' * 1600),
+    'any_numbers': lambda cells: [setattr(cells, n, np.random.RandomState(1).bytes(1600)) for n in ('hit', 'free', 'floor')],
+    'cells_of_a_millimetre': within('info', resolution=0.001),
+    'cells_of_10_metres': within('info', resolution=10.0),
+    'a_place_far_away': within('info.origin.position', x=9e5, y=-9e5),
+    'a_tilted_grid': within('info.origin.orientation', x=0.6, w=0.8),
+    'the_largest_seq': set_to(header_seq=LARGEST),
 }
 NUMBERS = (0.0, 1.0, -1.0, 1e-45, 1e-38, 1e30, -1e38, 3.4e38, INFINITY, -INFINITY, NAN)
 EMPTY = {'random_data': random_data, **{'nothing_but_%g' % v: all_values(v, np.float32) for v in NUMBERS}}

@@ -40,8 +40,11 @@ def header_of(message):
 class NodeClient:
     """Talks to a node whose inputs are under a camera's namespace. It runs already, or is not awaited."""
 
+    OUTPUTS = OUTPUTS
+    SHARED_TOPICS = ('/tf', '/rosout', '/diagnostics')  # on which it publishes, too
+
     def __init__(self, outputs=('floor', 'occupancy_grid', 'inflated_grid', 'polygons'), node='/polygonal_perception',
-                 depth=False, image='image_rect', runs=True, camera='/camera/depth'):
+                 runs=True, **inputs):
         self.node = node
         self.condition = threading.Condition()
         self.readers, self.listeners = {}, {}
@@ -53,17 +56,19 @@ class NodeClient:
             '/tf': rospy.Subscriber('/tf', TFMessage, lambda m: [self._append(self.transforms, t) for t in m.transforms]),
             '/diagnostics': rospy.Subscriber('/diagnostics', DiagnosticArray, self._on_diagnostics),
         }
-        if depth:
-            self.image = rospy.Publisher(camera + '/' + image, Image, queue_size=10)
-            self.info = rospy.Publisher(camera + '/camera_info', CameraInfo, queue_size=10)
-            self.publishers = [self.image, self.info]
-        else:
-            self.cloud = rospy.Publisher(camera + '/points', PointCloud2, queue_size=10)
-            self.publishers = [self.cloud]
+        self.publishers = self._advertise(**inputs)
         for name in outputs:
             self.read(name)
         if outputs:
             self.wait_connected()
+
+    def _advertise(self, depth=False, image='image_rect', camera='/camera/depth'):
+        if depth:
+            self.image = rospy.Publisher(camera + '/' + image, Image, queue_size=10)
+            self.info = rospy.Publisher(camera + '/camera_info', CameraInfo, queue_size=10)
+            return [self.image, self.info]
+        self.cloud = rospy.Publisher(camera + '/points', PointCloud2, queue_size=10)
+        return [self.cloud]
 
     def _append(self, to, message):
         with self.condition:
@@ -81,7 +86,7 @@ class NodeClient:
             self.condition.notify_all()
 
     def read(self, name):
-        self.readers[name] = rospy.Subscriber(self.node + '/' + name, OUTPUTS[name],
+        self.readers[name] = rospy.Subscriber(self.node + '/' + name, self.OUTPUTS[name],
                                               lambda m, name=name: self._on_answer(name, m), queue_size=50)
 
     def listen(self, topic, kind, callback):
@@ -134,7 +139,7 @@ class NodeClient:
         rospy never connects to a topic that is advertised in the moment in which it subscribes: the master's answer, which
         does not have the new publisher, may overtake the news of it.
         """
-        topics = [self.node + '/' + name for name in OUTPUTS] + ['/tf', '/rosout', '/diagnostics']
+        topics = [self.node + '/' + name for name in self.OUTPUTS] + list(self.SHARED_TOPICS)
 
         def advertised():
             publishers = dict(rospy.get_master().getSystemState()[2][0])
@@ -146,7 +151,7 @@ class NodeClient:
     def wait_connected(self):
         self.wait_for(lambda: all(p.get_num_connections() > 0 for p in self.publishers),
                       'the node to subscribe to ' + ', '.join(p.resolved_name for p in self.publishers))
-        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in [self.listeners['/tf'], *self.readers.values()]),
+        self.wait_for(lambda: all(r.get_num_connections() > 0 for r in [self.listeners[self.SHARED_TOPICS[0]], *self.readers.values()]),
                       'the node to publish')
 
     def send(self, *messages):

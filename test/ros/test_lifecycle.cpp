@@ -1,91 +1,68 @@
-// A node that is taken down while frames, readers and calls arrive from all sides, as when a nodelet is
-// unloaded.
+// Nodes that are taken down while frames, readers and calls arrive from all sides, as when nodelets are unloaded.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
+#include <polygonal_perception/MapFile.h>
 #include <ros/ros.h>
-#include <sensor_msgs/PointCloud2.h>
+#include <std_srvs/Empty.h>
 #include <std_srvs/Trigger.h>
 
-#include <atomic>
-#include <thread>
-
 #include "clouds.hpp"
-#include "polygonal_perception/PolygonArray.h"
+#include "lives.hpp"
+#include "observations.hpp"
+#include "polygonal_perception/ros/mapping/polygon_map_node.hpp"
 #include "polygonal_perception/ros/perception/perception_node.hpp"
 
 namespace polygonal_perception::test {
 namespace {
 
-constexpr int kLives = 60;  // unless ~lives says otherwise
-
-/// A thread that serves a queue, one callback at a time, while another one takes the node down: as a nodelet
-/// manager does.
-class Worker
+/// Of each node, unless ~lives says otherwise.
+int lives()
 {
-public:
-  Worker() : spinner_(1, &queue_) { spinner_.start(); }
-  ~Worker() { spinner_.stop(); }
-  ros::CallbackQueue& queue() { return queue_; }
+  return ros::param::param("~lives", 40);
+}
 
-private:
-  ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_;
-};
+template <class Service>
+void call(const std::string& name)
+{
+  Service service;
+  ros::service::call(name, service);
+}
 
-TEST(Lifecycle, EndsCleanlyWhileFramesReadersAndCallsArrive)
+TEST(Lifecycle, OfPerceptionIsClean)
 {
   ros::NodeHandle handle;
-  ros::Publisher clouds = handle.advertise<sensor_msgs::PointCloud2>("points", 1);
-  std::atomic<bool> running{true};
-  std::atomic<int> answers{0};
+  const ros::Publisher clouds = handle.advertise<sensor_msgs::PointCloud2>("points", 1);
+  const Traffic traffic(
+      "perception", [&] { clouds.publish(floorCloud(ros::Time::now())); },
+      [] {
+        call<std_srvs::Trigger>("perception/reset");
+        call<dynamic_reconfigure::Reconfigure>("perception/set_parameters");
+      });
+  expectCleanLives<ros_perception::PerceptionNode>(
+      "perception", lives(), traffic, [](int life) { ros::param::set("perception/lazy", life % 2 == 0); });
+}
 
-  std::thread camera([&] {
-    ros::WallRate rate(500.0);
-    while (running) {
-      clouds.publish(floorCloud(ros::Time::now()));
-      rate.sleep();
-    }
-  });
-  std::thread reader([&] {
-    ros::NodeHandle own;
-    ros::CallbackQueue queue;
-    own.setCallbackQueue(&queue);
-    while (running) {
-      const boost::function<void(const PolygonArrayConstPtr&)> count =
-          [&answers](const PolygonArrayConstPtr&) { ++answers; };
-      const ros::Subscriber polygons = own.subscribe<PolygonArray>("perception/polygons", 5, count);
-      for (int i = 0; running && i < 20; ++i) queue.callAvailable(ros::WallDuration(0.002));
-    }
-  });
-  std::thread caller([&] {
-    while (running) {
-      std_srvs::Trigger reset;
-      ros::service::call("perception/reset", reset);
-      dynamic_reconfigure::Reconfigure set;
-      ros::service::call("perception/set_parameters", set);
-    }
-  });
-
-  Worker worker;
-  handle.setCallbackQueue(&worker.queue());
-  ros::NodeHandle private_handle(handle, "perception");
-  private_handle.setCallbackQueue(&worker.queue());
-  const int lives = ros::param::param("~lives", kLives);
-  for (int life = 0; life < lives; ++life) {
-    private_handle.setParam("lazy", life % 2 == 0);
-    const ros_perception::PerceptionNode perception(handle, private_handle);
-    const int before = answers;
-    if (life % 10 != 9) continue;
-    // Every tenth life lasts until it has answered, the others end at once.
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(10.0);
-    while (answers == before && ros::WallTime::now() < deadline) std::this_thread::yield();
-    EXPECT_GT(answers, before) << "no answer in life " << life;
-  }
-  running = false;
-  camera.join();
-  reader.join();
-  caller.join();
+TEST(Lifecycle, OfTheMapIsClean)
+{
+  ros::NodeHandle handle;
+  const ros::Publisher cells = handle.advertise<ObservedCells>("observed_cells", 1);
+  const ros::Publisher places = handle.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  places.publish(inOdom("base_link", ros::Time::now()));
+  int sent = 0;
+  const Traffic traffic(
+      "map",
+      [&] {
+        // Each third one has no transform, so that something waits at any time.
+        cells.publish(observedCells(ros::Time::now(), ++sent % 3 == 0 ? "nowhere" : "odom"));
+      },
+      [] {
+        call<std_srvs::Empty>("map/clear");
+        call<MapFile>("map/save");
+        call<MapFile>("map/load");
+        call<dynamic_reconfigure::Reconfigure>("map/set_parameters");
+      });
+  expectCleanLives<ros_mapping::PolygonMapNode>(
+      "map", lives(), traffic, [](int life) { ros::param::set("map/map_size", life % 2 == 0 ? 4.0 : 12.0); });
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clouds.hpp"
+#include "observations.hpp"
 #include "polygonal_perception/PolygonArray.h"
 
 namespace polygonal_perception::test {
@@ -19,6 +20,21 @@ namespace {
 
 const ros::WallDuration kDeadline(30.0);  // on a busy machine
 constexpr std::uint32_t kBurst = 500;     // frames, at once
+
+using sensor_msgs::PointCloud2;
+
+template <class Message>
+boost::shared_ptr<Message> frameOf(const ros::Time& stamp);
+template <>
+sensor_msgs::PointCloud2Ptr frameOf<PointCloud2>(const ros::Time& stamp)
+{
+  return floorCloud(stamp);
+}
+template <>
+ObservedCellsPtr frameOf<ObservedCells>(const ros::Time& stamp)
+{
+  return observedCells(stamp);
+}
 
 /// Plays frames to a node and listens to it.
 class Overload : public testing::Test
@@ -49,12 +65,13 @@ protected:
   }
 
   /// The next frame, a millisecond later than the last one.
-  sensor_msgs::PointCloud2ConstPtr nextFrame()
+  template <class Message>
+  boost::shared_ptr<const Message> nextFrame()
   {
     stamp_ += ros::Duration(0.001);
-    const sensor_msgs::PointCloud2Ptr cloud = floorCloud(stamp_);
-    cloud->header.seq = ++played_;
-    return cloud;
+    const boost::shared_ptr<Message> frame = frameOf<Message>(stamp_);
+    frame->header.seq = ++played_;
+    return frame;
   }
 
   std::uint64_t reported(const std::string& key) const
@@ -65,19 +82,20 @@ protected:
     return 0;
   }
 
+  template <class Message>
   void expectTheNewestAnsweredAndTheOthersCounted(const std::string& topic)
   {
-    const ros::Publisher camera = handle_.advertise<sensor_msgs::PointCloud2>(topic, 1);
+    const ros::Publisher camera = handle_.advertise<Message>(topic, 1);
     ASSERT_TRUE(waitFor([&] {
       return camera.getNumSubscribers() > 0 && polygons_.getNumPublishers() > 0 &&
              diagnostics_.getNumPublishers() > 0;
     })) << "connections";
     // What was lost before the first frame that arrives, nobody can know.
-    camera.publish(nextFrame());
+    camera.publish(nextFrame<Message>());
     ASSERT_TRUE(waitFor([this] { return !answers_.empty(); })) << "no answer to a single frame";
 
-    std::vector<sensor_msgs::PointCloud2ConstPtr> burst(kBurst);
-    std::generate(burst.begin(), burst.end(), [this] { return nextFrame(); });
+    std::vector<boost::shared_ptr<const Message>> burst(kBurst);
+    std::generate(burst.begin(), burst.end(), [this] { return nextFrame<Message>(); });
     for (const auto& frame : burst) camera.publish(frame);
     ASSERT_TRUE(waitFor([this] { return answers_.back() == stamp_; }))
         << "the newest frame is not answered: " << answers_.size() << " answers, the last to "
@@ -107,7 +125,27 @@ protected:
 TEST_F(Overload, OfANodeInAnotherProcess)
 {
   listenTo("/elsewhere");
-  expectTheNewestAnsweredAndTheOthersCounted("/points_of_elsewhere");
+  expectTheNewestAnsweredAndTheOthersCounted<PointCloud2>("/points_of_elsewhere");
+}
+
+TEST_F(Overload, OfAMapInAnotherProcess)
+{
+  const ros::Publisher places = handle_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  places.publish(inOdom("base_link", stamp_));
+  listenTo("/map_elsewhere");
+  expectTheNewestAnsweredAndTheOthersCounted<ObservedCells>("/cells_of_elsewhere");
+}
+
+TEST_F(Overload, OfAMapBesideItsSensor)
+{
+  const ros::Publisher places = handle_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  places.publish(inOdom("base_link", stamp_));
+  nodelet::Loader manager;
+  const std::string name = "/map_of_same_process";
+  ASSERT_TRUE(manager.load(name, "polygonal_perception/PolygonMap",
+                           {{"/observed_cells", "/cells_of_same_process"}}, {}));
+  listenTo(name);
+  expectTheNewestAnsweredAndTheOthersCounted<ObservedCells>("/cells_of_same_process");
 }
 
 TEST_F(Overload, OfANodeletBesideItsCamera)
@@ -117,7 +155,7 @@ TEST_F(Overload, OfANodeletBesideItsCamera)
   ASSERT_TRUE(manager.load(name, "polygonal_perception/PolygonalPerception",
                            {{"/points", "/points_of_same_process"}}, {}));
   listenTo(name);
-  expectTheNewestAnsweredAndTheOthersCounted("/points_of_same_process");
+  expectTheNewestAnsweredAndTheOthersCounted<PointCloud2>("/points_of_same_process");
 }
 
 TEST_F(Overload, OfOneMessageThatComesTwice)
@@ -130,12 +168,12 @@ TEST_F(Overload, OfOneMessageThatComesTwice)
   const ros::Publisher camera = handle_.advertise<sensor_msgs::PointCloud2>("/repeated_points", 1);
   ASSERT_TRUE(waitFor([&] { return camera.getNumSubscribers() > 0 && polygons_.getNumPublishers() > 0; }));
   for (std::size_t k = 1; k <= 5; ++k) {
-    const auto frame = nextFrame();
+    const auto frame = nextFrame<PointCloud2>();
     camera.publish(frame);
     ASSERT_TRUE(waitFor([&] { return answers_.size() >= k; })) << "no answer to frame " << k;
     camera.publish(frame);
   }
-  const auto end = nextFrame();
+  const auto end = nextFrame<PointCloud2>();
   camera.publish(end);
   ASSERT_TRUE(waitFor([&] { return answers_.back() == end->header.stamp; }));
   EXPECT_EQ(answers_.size(), 6U);

@@ -14,19 +14,18 @@ import numpy as np
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid
 from rosgraph_msgs.msg import Log
 from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 
 from launched import program
+from map_client import observation, transform
 from polygonal_perception.msg import FloorPlane, ObservedCells, PolygonArray
 from polygonal_perception.srv import MapFile
 
 OUTPUTS = {'occupancy_grid': OccupancyGrid, 'observed_grid': OccupancyGrid, 'inflated_grid': OccupancyGrid, 'polygons': PolygonArray}
 DEADLINE = 20.0  # [s]
-SIDE = 40  # cells of a sensor's grid, of 5 cm
 
 
 class PolygonMapTest(unittest.TestCase):
@@ -80,34 +79,14 @@ class PolygonMapTest(unittest.TestCase):
         PolygonMapTest.stamp += rospy.Duration(seconds)
         return self.stamp
 
-    @staticmethod
-    def transform(stamp, child, x, y, z=0.0, yaw=0.0):
-        t = TransformStamped()
-        t.header.stamp, t.header.frame_id, t.child_frame_id = stamp, 'odom', child
-        t.transform.translation.x, t.transform.translation.y, t.transform.translation.z = x, y, z
-        t.transform.rotation.z, t.transform.rotation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-        return t
-
     def place(self, stamp, robot=(0.0, 0.0), floors=((0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, math.pi))):
-        transforms = [self.transform(stamp, 'base_link', *robot)]
-        transforms += [self.transform(stamp, name + '_floor', *floor) for name, floor in zip(('front', 'rear'), floors)]
+        transforms = [transform(stamp, 'base_link', *robot)]
+        transforms += [transform(stamp, name + '_floor', *floor) for name, floor in zip(('front', 'rear'), floors)]
         self.tf.publish(TFMessage(transforms))
 
-    def observation(self, stamp, name='front', hits=(), everything_seen=True):
-        """A grid 2 m ahead of a sensor and 1 m to each side; hits are (x, y, bits) in its frame."""
-        m = ObservedCells()
-        m.header.stamp, m.header.frame_id = stamp, name + '_floor'
-        m.floor_status = FloorPlane.FOUND
-        m.info.resolution, m.info.width, m.info.height = 0.05, SIDE, SIDE
-        m.info.origin.position.y, m.info.origin.orientation.w = -1.0, 1.0
-        m.slab_height = 0.07
-        hit, free, floor = np.zeros((3, SIDE, SIDE), np.uint8)
-        if everything_seen:
-            free[:], floor[:] = 255, 1
-        for x, y, bits in hits:
-            hit[int((y + 1.0) / 0.05), int(x / 0.05)] = bits
-        m.hit, m.free, m.floor = hit.tobytes(), free.tobytes(), floor.tobytes()
-        return m
+    @staticmethod
+    def observation(stamp, name='front', hits=(), everything_seen=True):
+        return observation(stamp, name + '_floor', hits, everything_seen)
 
     def send(self, message, name='front', **where):
         self.place(message.header.stamp, **where)

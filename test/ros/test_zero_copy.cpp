@@ -4,9 +4,7 @@
 // the empty floor.
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <ros/topic_manager.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -18,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "counting_publisher.hpp"
 #include "polygonal_perception/FloorPlane.h"
 #include "polygonal_perception/PolygonArray.h"
 #include "support/box_scene.hpp"
@@ -25,49 +24,7 @@
 namespace polygonal_perception::test {
 namespace {
 
-constexpr double kDeadline = 20.0;  // [s]
 const char* const kFrame = "camera_depth_optical_frame";
-
-template <class Condition>
-bool waitFor(Condition&& condition)
-{
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kDeadline);
-  while (!condition()) {
-    if (!ros::ok() || ros::WallTime::now() > deadline) return false;
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-  }
-  return true;
-}
-
-/// Publishes as ros::Publisher does, and counts how often the message had to be serialised for that.
-template <class Message>
-class CountingPublisher
-{
-public:
-  explicit CountingPublisher(const std::string& topic)
-      : publisher_(ros::NodeHandle().advertise<Message>(topic, 1))
-  {
-  }
-
-  void publish(const boost::shared_ptr<Message>& message)
-  {
-    ros::SerializedMessage serialized;
-    serialized.type_info = &typeid(Message);
-    serialized.message = message;
-    const auto serialize = [&] {
-      ++serialisations_;
-      return ros::serialization::serializeMessage(*message);
-    };
-    ros::TopicManager::instance()->publish(publisher_.getTopic(), serialize, serialized);
-  }
-
-  std::uint32_t readers() const { return publisher_.getNumSubscribers(); }
-  int serialisations() const { return serialisations_; }
-
-private:
-  ros::Publisher publisher_;
-  int serialisations_ = 0;
-};
 
 void writeTo(sensor_msgs::PointCloud2& cloud, const BoxScene& scene)
 {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/ros/common/text_rules.hpp"
 
 namespace polygonal_perception::ros_mapping {
 
@@ -28,15 +29,12 @@ std::string cellsError(const ObservedCells& cells)
 {
   constexpr double kMostCells = 4e6;   // more take seconds
   constexpr double kSmallest = 0.001;  // [m]
-  if (cells.header.frame_id.empty() || cells.header.frame_id.front() == '/') {
-    return "header.frame_id is '" + cells.header.frame_id +
-           "', accepted is the name of a tf frame, without a leading slash";
-  }
+  if (std::string error = ros_common::frameIdError(cells.header.frame_id); !error.empty()) return error;
   const double resolution = cells.info.resolution;
   if (!(resolution >= kSmallest && resolution <= 10.0))
     return "info.resolution is " + numberText(resolution) + ", accepted is 0.001 to 10 m";
   if (!(cells.slab_height > 0.0F && std::isfinite(cells.slab_height)))
-    return "slab_height is " + numberText(cells.slab_height) + ", accepted is more than 0 m";
+    return "slab_height is " + numberText(cells.slab_height) + ", accepted is a finite number above 0 m";
   const double size = static_cast<double>(cells.info.width) * cells.info.height;
   if (size > kMostCells)
     return "info.width times info.height is " + numberText(size) + ", accepted is at most 4e6";

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "polygonal_perception/perception/floor/floor_frame.hpp"
+#include "polygonal_perception/ros/common/text_rules.hpp"
 #include "ros/perception/cloud_input.hpp"
 #include "ros/perception/floor_transforms.hpp"
 #include "ros/perception/mount_error_text.hpp"
@@ -106,11 +107,7 @@ void FrameProcessor::runPipeline(const std_msgs::Header& header, const perceptio
 
 std::string FrameProcessor::frameError(const std::string& frame_id) const
 {
-  if (frame_id.empty()) return "header.frame_id is empty, accepted is the name of a tf frame";
-  if (frame_id.front() == '/') {
-    return "header.frame_id is '" + frame_id +
-           "', accepted is a name without a leading slash (tf2 knows none with one)";
-  }
+  if (std::string error = ros_common::frameIdError(frame_id); !error.empty()) return error;
   if (frame_id == parameters_.floor_frame) {
     return "header.frame_id is '" + frame_id + "', which is floor_frame; accepted is any other frame";
   }
