@@ -59,7 +59,7 @@ struct RollingMap::Steps
     constexpr double kRounding = 1e-6;
     const double low = kRounding - offset;
     const double high = size - kRounding - offset;
-    if (std::abs(step) < kRounding) {
+    if (step == 0.0) {
       if (low > 0.0 || high < 0.0) last = first - 1.0;
       return;
     }
@@ -157,6 +157,7 @@ void RollingMap::mark(const Observation& observation)
 void RollingMap::clear(const Observation& observation)
 {
   const GridGeometry& grid = observation.geometry;
+  if (grid.size() == 0) return;
   // The grid's rectangle, upright.
   Eigen::AlignedBox2d box;
   const Eigen::AlignedBox2d bounds = grid.bounds();
@@ -188,14 +189,19 @@ void RollingMap::clear(const Observation& observation)
 void RollingMap::clearRow(const Observation& observation, int x0, int y, const Eigen::Vector2d& first,
                           const Eigen::Vector2d& step, const Steps& inside)
 {
+  if (!(inside.first <= inside.last)) return;  // they may be farther apart than whole numbers reach
   const int begin = static_cast<int>(std::ceil(inside.first));
   const int end = static_cast<int>(std::floor(inside.last));
   const auto columns = static_cast<std::size_t>(observation.geometry.cells_x);
   const std::size_t row = at(0, y);
+  // However places that are far away have been rounded, nothing beyond the grid is read.
+  const auto within = [](double place, int size) {
+    return static_cast<std::size_t>(std::clamp(place, 0.0, size - 1.0));
+  };
   int column = wrapped(x0 + begin);
   for (int k = begin; k <= end; ++k, column = column + 1 == cells_ ? 0 : column + 1) {
-    const auto i = static_cast<std::size_t>(first.x() + k * step.x());
-    const auto j = static_cast<std::size_t>(first.y() + k * step.y());
+    const std::size_t i = within(first.x() + k * step.x(), observation.geometry.cells_x);
+    const std::size_t j = within(first.y() + k * step.y(), observation.geometry.cells_y);
     const std::size_t from = j * columns + i;
     const bool is_floor_seen = observation.floor[from] != 0;
     const std::size_t cell = row + static_cast<std::size_t>(column);

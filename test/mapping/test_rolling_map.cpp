@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -236,6 +237,41 @@ TEST_F(RollingMapTest, PlacesWithoutANumberAndTinyCellsAreSurvived)
   }
   map_.reset(1e-9);
   EXPECT_EQ(map_.geometry().cells_x, static_cast<int>(RollingMap::kMostCells));
+}
+
+TEST_F(RollingMapTest, AGridWithoutCellsIsNotReadWhereverItLies)
+{
+  sensor_.hit(5, 7) = 0x01;
+  add();
+  occupancy::GridGeometry none;
+  none.resolution = 0.1;
+  for (const int rows : {0, 20}) {
+    none.cells_x = 20 - rows;
+    none.cells_y = rows;
+    for (int yaw = 0; yaw < 8; ++yaw) {
+      // Its corner lies on the middle of a cell.
+      const Eigen::Isometry2d pose = Eigen::Translation2d(1.05, 1.05) * Eigen::Rotation2Dd(M_PI / 4.0 * yaw);
+      map_.add({none, pose, nullptr, nullptr, nullptr, true, stamp_ += 0.1});
+    }
+  }
+  EXPECT_EQ(occupiedCells(), 1U);
+}
+
+TEST_F(RollingMapTest, AGridThatIsHardlyTurnedIsNotReadBeyondItsEnd)
+{
+  // The middles of a row of the map lie just below the upper border of the grid, and leave it on their way: by a step a cell
+  // that is so small that it is nothing at first sight.
+  occupancy::GridGeometry grid;
+  grid.cells_x = grid.cells_y = 20;
+  grid.resolution = 0.1;
+  const Eigen::Isometry2d pose = Eigen::Translation2d(-0.5, 1.05 - 2.0 + 1.5e-7) * Eigen::Rotation2Dd(-9e-7);
+  const std::vector<std::uint8_t> nothing(400 + 20, 0);
+  std::vector<std::uint8_t> floor = nothing;
+  std::fill(floor.begin() + 400, floor.end(), 1);  // behind its end
+  map_.add({grid, pose, nothing.data(), nothing.data(), floor.data(), true, 1.0});
+  std::vector<std::uint8_t> seen;
+  map_.copySeen(seen);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 0);
 }
 
 TEST_F(RollingMapTest, WhatWasSavedComesBack)
