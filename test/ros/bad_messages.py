@@ -5,6 +5,8 @@ from sensor_msgs.msg import PointField
 
 LARGEST = 2 ** 32 - 1
 NAN, INFINITY = float('nan'), float('inf')
+# Of parameters: of wrong types and out of all ranges.
+BAD_VALUES = ['', 'much', -1, 0, 10 ** 9, -1e300, 1e300, float('inf'), float('nan'), True, [], [1, 2], [0, 0, 0], {'a': {'b': 1}}]
 
 
 def set_to(**values):

@@ -7,26 +7,21 @@ import unittest
 import dynamic_reconfigure.client
 import rospy
 import rostest
-from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
 
 import scene
+from bad_messages import BAD_VALUES
 from launched import Started
+from manager_client import ManagerClient
 from node_client import DEADLINE, FOUND, Clock, NodeClient
 from polygonal_perception.msg import FloorPlane
 
 NODE, OTHER = '/polygonal_perception', '/other_perception'
 CAMERA = '/camera/depth/points'
-# Of wrong types and out of all ranges.
-BAD_VALUES = ['', 'much', -1, 0, 10 ** 9, -1e300, 1e300, float('inf'), float('nan'), True, [], [1, 2], [0, 0, 0], {'a': {'b': 1}}]
 
 
 class ReloadTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.services = {}
-        for name, kind in (('load_nodelet', NodeletLoad), ('unload_nodelet', NodeletUnload), ('list', NodeletList)):
-            rospy.wait_for_service('/manager/' + name, DEADLINE)
-            cls.services[name] = rospy.ServiceProxy('/manager/' + name, kind)
         cls.lives = rospy.get_param('~lives')
         cls.client = NodeClient(outputs=(), runs=False)
         cls.camera, cls.clock = scene.Camera(), Clock()
@@ -38,9 +33,11 @@ class ReloadTest(unittest.TestCase):
     def tearDownClass(cls):
         cls.stop_camera()
 
+    def setUp(self):
+        self.manager = ManagerClient(self)
+
     def tearDown(self):
-        for name in self.services['list']().nodelets:
-            self.services['unload_nodelet'](name=name)
+        self.manager.unload_all()
 
     @classmethod
     def start_camera(cls):
@@ -62,14 +59,10 @@ class ReloadTest(unittest.TestCase):
             rate.sleep()
 
     def load(self, name=NODE, topic='/points'):
-        loaded = self.services['load_nodelet'](name=name, type='polygonal_perception/PolygonalPerception', my_argv=[],
-                                               bond_id='', remap_source_args=[topic], remap_target_args=[CAMERA])
-        self.assertTrue(loaded.success)
-        self.assertIn(name, self.services['list']().nodelets)
+        self.manager.load(name, 'PolygonalPerception', {topic: CAMERA})
 
     def unload(self, name=NODE):
-        self.assertTrue(self.services['unload_nodelet'](name=name).success)
-        self.assertNotIn(name, self.services['list']().nodelets)
+        self.manager.unload(name)
 
     def wait_for_floors(self, count=1, what='a floor', status=(FOUND,)):
         """Waits for answers to frames from now on, with a fresh reader: rospy may have missed that the topic was away."""

@@ -11,16 +11,9 @@ import rospy
 import rostest
 
 import launched
-import scene
-from node_client import DEADLINE, FOUND, Clock, NodeClient
+from node_client import DEADLINE, Clock
+from subjects import SUBJECTS
 
-NODE = '/polygonal_perception'
-REMAPPED = ['points:=/camera/depth/points']
-COMMANDS = {
-    'node': [launched.NODE, '__name:=polygonal_perception', *REMAPPED],
-    'nodelet': ['rosrun', 'nodelet', 'nodelet', 'standalone', 'polygonal_perception/PolygonalPerception',
-                '__name:=polygonal_perception', *REMAPPED],
-}
 # What a program says that did not end cleanly.
 BAD_SIGNS = ('lock_error', 'terminate called', 'Assertion', 'Segmentation', 'Sanitizer', 'pure virtual')
 
@@ -28,9 +21,14 @@ BAD_SIGNS = ('lock_error', 'terminate called', 'Assertion', 'Segmentation', 'San
 class ShutdownTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.client = NodeClient(outputs=(), runs=False)
-        cls.camera, cls.clock = scene.Camera(), Clock()
-        cls.cloud = cls.camera.cloud(cls.camera.render(), cls.clock.now)
+        cls.subject = SUBJECTS[rospy.get_param('~subject')](outputs=(), runs=False)
+        cls.client, cls.clock = cls.subject.client, Clock()
+        arguments = ['__name:=' + cls.subject.NAME[1:], *('%s:=%s' % item for item in cls.subject.REMAPPED.items()),
+                     *('_%s:=%s' % item for item in cls.subject.PARAMETERS.items())]
+        cls.commands = {
+            'node': [launched.program(cls.subject.PROGRAM), *arguments],
+            'nodelet': ['rosrun', 'nodelet', 'nodelet', 'standalone', 'polygonal_perception/' + cls.subject.NODELET, *arguments],
+        }
         cls.running = threading.Event()
         cls.running.set()
         cls.thread = threading.Thread(target=cls.publish)
@@ -45,8 +43,7 @@ class ShutdownTest(unittest.TestCase):
     def publish(cls):
         rate = rospy.Rate(100)
         while cls.running.is_set():
-            cls.cloud.header.stamp = cls.clock.tick()
-            cls.client.send(cls.cloud)
+            cls.client.send(*cls.subject.messages(cls.clock.tick()))
             rate.sleep()
 
     def live(self, command, wait_for_answer, end=signal.SIGINT):
@@ -55,11 +52,11 @@ class ShutdownTest(unittest.TestCase):
                                    start_new_session=True)
         begin = self.clock.now.to_nsec()
         # A fresh reader, since rospy may have missed that the topic was away for a moment.
-        self.client.read('floor')
+        self.client.read(self.subject.OUTPUT)
         try:
             if wait_for_answer:
-                self.client.wait_for(lambda: any(k > begin and a['floor'].status == FOUND
-                                                 for k, a in self.client.answers.items()), 'a floor')
+                self.client.wait_for(lambda: any(k > begin and self.subject.is_good(a)
+                                                 for k, a in list(self.client.answers.items())), 'an answer')
             else:
                 self.client.wait_for(lambda: self.client.publishers[0].get_num_connections() > 0 or program.poll() is not None,
                                      'the node to subscribe')
@@ -71,7 +68,7 @@ class ShutdownTest(unittest.TestCase):
                 os.killpg(program.pid, signal.SIGKILL)
                 output, _ = program.communicate()
                 self.fail('it did not end:\n' + output)
-            self.client.stop_reading('floor')
+            self.client.stop_reading(self.subject.OUTPUT)
         self.assertEqual(program.returncode, -signal.SIGKILL if end == signal.SIGKILL else 0, output)
         for sign in BAD_SIGNS:
             self.assertNotIn(sign, output)
@@ -82,11 +79,11 @@ class ShutdownTest(unittest.TestCase):
         for life in range(rospy.get_param('~lives')):
             with self.subTest(life=life):
                 # Every other life ends as soon as it has subscribed.
-                self.live(COMMANDS[hull], life % 2 == 0)
+                self.live(self.commands[hull], life % 2 == 0)
 
     def test_another_one_takes_the_place_of_one_that_was_killed(self):
-        self.live(COMMANDS['nodelet'], True, signal.SIGKILL)
-        self.live(COMMANDS['nodelet'], True)
+        self.live(self.commands['nodelet'], True, signal.SIGKILL)
+        self.live(self.commands['nodelet'], True)
 
     def test_node(self):
         self.check('node')
