@@ -4,57 +4,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
 
-#include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "observed_drive.hpp"
 #include "polygonal_perception/mapping/polygon_map.hpp"
-#include "polygonal_perception/perception/pipeline.hpp"
 
 namespace polygonal_perception::benchmarks {
 namespace {
 
-constexpr std::uint32_t kFrames = 100;
 constexpr int kRounds = 540;  // 30 minutes at 30 Hz
-
-struct Recorded
-{
-  occupancy::GridGeometry geometry;
-  occupancy::ObservedCells cells;
-  Eigen::Isometry2d pose;  // of the floor frame in the world
-  Eigen::Vector2d robot;
-};
-
-std::vector<Recorded> record()
-{
-  simulation::SimulatedCamera::Options options;
-  options.scene = "busy_office";
-  options.rate = 3.0;
-  simulation::SimulatedCamera camera(options);
-  const simulation::PinholeCamera& pinhole = options.camera;
-  const auto rays = perception::PinholeRays::make(pinhole.width, pinhole.height, pinhole.fx, pinhole.fy,
-                                                  pinhole.cx, pinhole.cy);
-  perception::Pipeline pipeline({});
-  simulation::SimulatedFrame frame;
-  std::vector<Recorded> recorded;
-  for (std::uint32_t index = 0; index < kFrames; ++index) {
-    camera.render(index, frame);
-    const auto points = perception::PointView::depth(frame.depth.data(), pinhole.width * sizeof(float), rays);
-    const auto& result = pipeline.process({points, frame.time, {}}, perception::Product::kLookedThrough);
-    if (result.floor.status != perception::FloorStatus::kFound) continue;
-    const Eigen::Isometry3d floor_to_world = frame.camera_to_world * result.to_floor_frame.inverse();
-    Recorded& one = recorded.emplace_back();
-    one.geometry = result.occupancy.geometry();
-    one.cells = result.observed;
-    one.pose = Eigen::Translation2d(floor_to_world.translation().head<2>()) *
-               Eigen::Rotation2Dd(std::atan2(floor_to_world(1, 0), floor_to_world(0, 0)));
-    one.robot = frame.base_to_world.translation().head<2>();
-  }
-  return recorded;
-}
 
 /// [us] Medians of an update's stages.
 struct Medians
@@ -90,7 +51,7 @@ double residentMemory()
 
 int measure()
 {
-  const std::vector<Recorded> recorded = record();
+  const std::vector<ObservedFrame> recorded = observedDrive();
   mapping::PolygonMap map{mapping::PolygonMap::Parameters{}};
   mapping::PolygonMap::Products products;
   products.polygons = true;
@@ -98,7 +59,7 @@ int measure()
   for (int round = 0; round < kRounds; ++round) {
     std::vector<mapping::PolygonMap::StageTimes> times;
     std::size_t vertices = 0;
-    for (const Recorded& one : recorded) {
+    for (const ObservedFrame& one : recorded) {
       map.update({one.geometry, one.pose, one.cells.hit.data(), one.cells.free.data(), one.cells.floor.data(),
                   true, stamp += 1.0 / 30.0},
                  one.robot);
