@@ -127,7 +127,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     intake.configure(parameters);
     mapping::PolygonMap::Products all;
     all.seen = all.polygons = true;
-    requireSound(map.make(all), lengths);
+    const mapping::PolygonMap::Result& result = map.make(all);
+    requireSound(result);
+    if (bytes.empty()) requireContract(result, lengths);
   }
   return 0;
 }
