@@ -47,8 +47,8 @@ ObservedCells anyCells(ByteReader& bytes, float resolution)
   ObservedCells cells;
   cells.header.frame_id = bytes.byte() < 250 ? "floor" : bytes.text();
   cells.floor_status = bytes.byte() % 4;
-  cells.info.width = bytes.size() % 64;
-  cells.info.height = bytes.byte() < 250 ? bytes.byte() % 64 : bytes.size();
+  cells.info.width = bytes.size() % 32;
+  cells.info.height = bytes.byte() < 250 ? bytes.byte() % 32 : bytes.size();
   cells.info.resolution = bytes.byte() < 250 ? resolution : bytes.number<float>();
   cells.slab_height = bytes.byte() < 250 ? 0.1F : bytes.number<float>();
   cells.info.origin.position.x = place(bytes);
@@ -78,7 +78,7 @@ Eigen::Isometry3d anyTransform(ByteReader& bytes)
 /// Sets of parameters that a client may send, as far as they keep the map small.
 void anyParameters(ByteReader& bytes, double resolution, mapping::PolygonMap::Parameters& parameters)
 {
-  parameters.map.map_size = (1 + bytes.byte() % 32) * resolution;
+  parameters.map.map_size = (1 + bytes.byte() % 20) * resolution;
   parameters.map.clear_views = 1 + bytes.byte() % 4;
   parameters.map.remember = bytes.byte() % 4 == 0 ? 0.1 * (1 + bytes.byte()) : 1.0 / 0.0;
 }
@@ -100,8 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int k = 0; k < kMostFrames && !bytes.empty(); ++k) {
     if (bytes.byte() % 8 == 0) anyParameters(bytes, resolution, parameters);
     if (bytes.byte() % 32 == 0) intake.clear();
-    lengths.radius = bytes.raw<std::uint16_t>() % 5001;
-    lengths.tolerance = bytes.raw<std::uint16_t>() % 4001;
+    lengths.radius = bytes.raw<std::uint16_t>() % 3001;
+    lengths.tolerance = bytes.raw<std::uint16_t>() % 2001;
     const std::size_t source = bytes.byte() % kSources;
     ObservedCells cells = anyCells(bytes, resolution);
     const std::uint8_t step = bytes.byte();
@@ -115,7 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (bytes.byte() % 4 != 0) placement.grid_to_fixed = anyTransform(bytes);
     if (admission.fault != nullptr || !placement.isNear()) continue;
     // Larger maps and radii are no different, and slow to check.
-    constexpr double kMostCells = 32.0;
+    constexpr double kMostCells = 20.0;
     mapping::PolygonMap& map = intake.map();
     const double map_resolution =
         map.map().isActive() ? map.map().geometry().resolution : cells.info.resolution;

@@ -237,6 +237,18 @@ class PolygonMapTest(unittest.TestCase):
         self.wait_for(lambda: any('front: no transform from' in text and 'odom' in text for text in self.logs), 'a complaint')
         self.ask()
 
+    def test_a_source_that_waits_for_tf_holds_up_no_other(self):
+        here = (0.0, 0.0, 0.0, 0.0)
+        waiting = self.observation(self.tick(), 'rear')
+        self.cells['rear'].publish(waiting)
+        for _ in range(3):
+            message = self.observation(self.tick())
+            self.send(message, floors=(here,))
+            self.answer(message.header.stamp)
+        self.assertNotIn(waiting.header.stamp.to_nsec(), self.answers)
+        self.place(self.tick())
+        self.answer(waiting.header.stamp)
+
     def test_one_old_observation_does_not_begin_anew(self):
         self.ask((1.02, 0.03, 1))
         old = self.stamp

@@ -6,6 +6,7 @@
 #include <std_srvs/Empty.h>
 
 #include <deque>
+#include <vector>
 
 #include "polygonal_perception/ros/common/diagnostics_reporter.hpp"
 #include "polygonal_perception/ros/common/node_core.hpp"
@@ -51,6 +52,7 @@ private:
   std::unique_ptr<MapOutputs> outputs_;
   std::unique_ptr<MapUpdater> updater_;
   std::deque<Waiting> waiting_;
+  std::vector<bool> is_held_up_;  // by source
   ros::Time last_now_;
   ros::ServiceServer clear_;
   ros::ServiceServer save_;
@@ -149,12 +151,17 @@ void PolygonMapNode::Implementation::onCells(std::size_t source, const ObservedC
 void PolygonMapNode::Implementation::processWaiting()
 {
   const auto now = Clock::now();
-  while (!waiting_.empty()) {
-    const Waiting& next = waiting_.front();
-    const double waited = std::chrono::duration<double>(now - next.arrival).count();
+  is_held_up_.assign(updater_->sources().size(), false);
+  for (auto next = waiting_.begin(); next != waiting_.end();) {
+    // What a source has sent is taken in its order; nobody waits for the transforms of another one.
+    const double waited = std::chrono::duration<double>(now - next->arrival).count();
     const bool may_wait = waited < core_.parameters->tf_timeout && waiting_.size() <= kMostWaiting;
-    if (!updater_->process(next.source, *next.cells, may_wait)) break;
-    waiting_.pop_front();
+    if (is_held_up_[next->source] || !updater_->process(next->source, *next->cells, may_wait)) {
+      is_held_up_[next->source] = true;
+      ++next;
+    } else {
+      next = waiting_.erase(next);
+    }
   }
   if (waiting_.empty()) {
     waiting_timer_.stop();
