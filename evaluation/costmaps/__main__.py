@@ -17,7 +17,8 @@ from world import RATE, Failure, World
 def parse():
     parser = argparse.ArgumentParser(prog='scripts/compare_costmaps', add_help=False)
     parser.add_argument('--programs', required=True)
-    parser.add_argument('--cases', nargs='+', type=Case, default=[Case(c) for c in ('nao', 'robotino', 'robotino+1', 'robotino-1')])
+    parser.add_argument('--cases', nargs='+', type=Case, default=[
+        Case(c) for c in ('nao', 'nao!', 'robotino', 'robotino+1', 'robotino+2')])
     parser.add_argument('--maps', nargs='+', type=Map, default=[
         Map(m) for m in ('voxel:0.08', 'voxel:0.15', 'voxel:0.08@5', 'obstacle:0.08', 'scan', 'map')])
     parser.add_argument('--seeds', nargs='+', type=int, default=[1, 2, 3])
@@ -32,18 +33,19 @@ def parse():
 
 
 def share(parts):
-    """Of (missed, all) cells."""
-    missed, total = sum(len(points) for points, _ in parts), sum(count for _, count in parts)
-    return '%.1f %%' % (100.0 * missed / total) if total else '-'
+    """Of all cells those that are missed, and those that are missed in the open."""
+    total = sum(part.total for part in parts)
+    missed, free = sum(len(part.points) for part in parts), sum(part.are_open.sum() for part in parts)
+    return '%.1f / %.1f %%' % (100.0 * missed / total, 100.0 * free / total) if total else '-'
 
 
 def row(each, verdicts, cpus):
     false = [int(verdict.is_false.sum()) for verdict in verdicts]
-    marks = [len(verdict.is_false) for verdict in verdicts]
-    cells = ['%s' % each, '%.0f' % np.mean(marks), '%.1f' % np.mean(false), '%d' % max(false),
-             share([verdict.near for verdict in verdicts]), share([verdict.far for verdict in verdicts]),
-             share([verdict.before for verdict in verdicts]), '%.1f' % (1000 * np.mean(cpus))]
-    return '| ' + ' | '.join(cells) + ' |'
+    cells = ['%s' % each, '%.0f' % np.mean([len(verdict.is_false) for verdict in verdicts]), '%.1f' % np.mean(false),
+             '%d' % max(false), '%.1f' % np.mean([verdict.false_near for verdict in verdicts])]
+    for name in ('near', 'far', 'before'):
+        cells.append(share([getattr(verdict, name) for verdict in verdicts]))
+    return '| ' + ' | '.join(cells + ['%.1f' % (1000 * np.mean(cpus))]) + ' |'
 
 
 def cpu_of(each, run):
@@ -69,15 +71,16 @@ def main():
                 cpus[each].append(cpu_of(each, run))
             pitch, roll = np.degrees(run.mount.sway)
             way = sum(np.linalg.norm(np.diff([run.poses[s][0][:2, 3] for s in sorted(run.poses)], axis=0), axis=1))
-            print('Seed %d: the camera is %.2f m up and looks %.0f degrees down, but for %.1f; rolls up to %.1f; %.1f m of way; '
-                  '%d answers late' % (seed, run.mount.height, np.degrees(run.mount.pitch), pitch, roll, way, run.late),
+            print('Seed %d: the camera is %.2f m up and looks %.0f degrees down, but for %.1f; it rolls up to %.1f; '
+                  '%.1f m of way; %d answers late' % (
+                      seed, run.mount.height, np.degrees(run.mount.pitch), pitch, roll, way, run.late),
                   file=sys.stderr, flush=True)
             if picture:
                 by_name = {each.name: found[each][-1] for each in options.maps}
                 draw(picture, run, truth, [(each, by_name[each.name]) for each in options.pictured])
                 picture = None
-        print('| | marked cells | of these floor | at most | missed up to 2.5 m | missed from 2.5 to 5 m | missed out of view | CPU ms |')
-        print('|---|---|---|---|---|---|---|---|')
+        print('| | marked | of these floor | at most | up to 2.5 m | missed up to 2.5 m | missed from 2.5 to 5 m '
+              '| missed out of view | CPU [ms] |\n|' + 9 * '---|')
         for each in options.maps:
             print(row(each, verdicts[each], cpus[each]), flush=True)
 

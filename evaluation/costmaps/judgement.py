@@ -15,12 +15,13 @@ OFF = 0.05  # [m] and so near to an obstacle
 PIXELS = 5  # in a cell of one frame: there it is seen plainly
 LOOK = 3  # frames from one that is looked at to the next
 VIEWS = 3  # of these in which a cell was seen plainly
+WAY_STEP = 10  # frames from one place of the way to the next
 DELAY, RECENT = 0.2, 1.0  # [s] what was seen plainly in the second that ended so long before a map is in view
 SETTLE, EACH = 3.0, 1.0  # [s] from the start to the first map that is judged, and from one to the next
 
 
 class Truth:
-    """The obstacles' outlines, and how far from them a point is."""
+    """The outlines of what stands, and how far from it a point is."""
 
     def __init__(self, message):
         self.outlines = [np.array([(p.x, p.y) for p in polygon.boundary.points]) for polygon in message.polygons]
@@ -53,7 +54,8 @@ class Sightings:
             depth = run.images[stamp] / 1000.0
             v, u = np.nonzero(depth)
             z = depth[v, u]
-            points = np.stack([(u - k[0, 2]) * z / k[0, 0], (v - k[1, 2]) * z / k[1, 1], z], 1) @ camera[:3, :3].T + camera[:3, 3]
+            points = np.stack([(u - k[0, 2]) * z / k[0, 0], (v - k[1, 2]) * z / k[1, 1], z], 1)
+            points = points @ camera[:3, :3].T + camera[:3, 3]
             points = points[(points[:, 2] > LOW) & (points[:, 2] < run.case.max_height - MARGIN)][:, :2]
             points = points[truth.distances(points) < OFF]
             cells, counts = np.unique(np.floor(points / LATTICE).astype(int), axis=0, return_counts=True)
@@ -92,7 +94,8 @@ class Grid:
         rows, columns = np.nonzero(occupied)
         self.marks = self.low + (np.stack([columns, rows], 1) + 0.5) * self.resolution
         if len(rows):
-            self.field = self.resolution * cv2.distanceTransform((~occupied).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+            free = (~occupied).astype(np.uint8)
+            self.field = self.resolution * cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
         else:
             self.field = np.full(occupied.shape, np.inf)
 
@@ -108,27 +111,36 @@ class Grid:
         return np.floor((points - self.low) / self.resolution).astype(int)
 
 
-class Verdict:
-    """Of one map at one time."""
+class Missed:
+    """Of some cells that were seen those that no mark is near to."""
 
-    def __init__(self, grid, truth, sightings, time):
+    def __init__(self, grid, cells, robot):
+        points = centres(cells)
+        points = points[grid.are_inside(points)]
+        self.total = len(points)
+        self.points = points[grid.distances(points) > TOLERANCE]
+        # What the robot cannot reach on a straight line without a mark in its way is no danger from where it is.
+        self.are_open = np.array([self._is_open(grid, robot, point) for point in self.points], bool)
+
+    @staticmethod
+    def _is_open(grid, robot, point):
+        steps = np.arange(0.0, np.linalg.norm(point - robot), grid.resolution / 2)
+        line = robot + steps[:, None] * (point - robot) / np.linalg.norm(point - robot)
+        return (grid.distances(line) > grid.resolution).all()
+
+
+class Verdict:
+    """Of one map at one time, when the robot has come along a way."""
+
+    def __init__(self, grid, truth, sightings, time, way):
         self.time, self.grid = time, grid
         self.is_false = truth.distances(grid.marks) > TOLERANCE
+        apart = grid.marks[self.is_false][:, None] - way[None, ::-WAY_STEP]
+        self.false_near = int((np.hypot(apart[..., 0], apart[..., 1]).min(1) < NEAR).sum()) if self.is_false.any() else 0
         in_view, before = sightings.until(time)
-        self.near = self._missed(in_view, 0.0, NEAR)
-        self.far = self._missed(in_view, NEAR, FAR)
-        self.before = self._missed(before, 0.0, NEAR)
-
-    @property
-    def missed(self):
-        """The centres of all that is missed up to NEAR."""
-        return np.concatenate([self.near[0], self.before[0]])
-
-    def _missed(self, cells, least, most):
-        """The centres of those that no mark is near to, and how many there are in all."""
-        points = centres([cell for cell, distance in cells.items() if least <= distance < most])
-        points = points[self.grid.are_inside(points)]
-        return points[self.grid.distances(points) > TOLERANCE], len(points)
+        self.near = Missed(grid, [cell for cell, distance in in_view.items() if distance < NEAR], way[-1])
+        self.far = Missed(grid, [cell for cell, distance in in_view.items() if NEAR <= distance < FAR], way[-1])
+        self.before = Missed(grid, [cell for cell, distance in before.items() if distance < NEAR], way[-1])
 
 
 def judge(run):
@@ -136,11 +148,13 @@ def judge(run):
     truth = Truth(run.truth)
     sightings = Sightings(run, truth)
     verdicts = {}
+    stamps = sorted(run.poses)
+    way, times = np.array([run.poses[stamp][0][:2, 3] for stamp in stamps]), np.array(stamps) / 1e9
     for each, grids in run.grids.items():
         chosen, due = [], run.start + SETTLE
         for time, message in grids:
             if time >= due or (time, message) == grids[-1]:
-                chosen.append(Verdict(Grid(message), truth, sightings, time))
+                chosen.append(Verdict(Grid(message), truth, sightings, time, way[times < time + 1e-3]))
                 due = time + EACH - 1e-3
         verdicts[each] = chosen
     return truth, verdicts

@@ -15,7 +15,8 @@ from settings import FAR, NEAR  # noqa: E402
 
 STANDS, OUTLINE, RIGHT, FALSE, MISSED, BEYOND, WAY = (
     '#dcdcdc', '#8c8c8c', '#1f4e79', '#e02020', '#ff9500', '#ffd591', '#2a9d4a')
-ROOM = 0.35  # [m] around all that is drawn
+WIDTH, HEAD, FOOT = 11.2, 0.58, 0.40  # [in]
+ROOM, STRIP = 0.2, 0.35  # [m] around all that is drawn, and below it for the scale
 
 
 def squares(points, size):
@@ -27,7 +28,7 @@ def frame_of(run, truth, verdicts):
     way = np.array([base[:2, 3] for base, _ in run.poses.values()])
     points = np.concatenate([way] + [verdict.grid.marks for verdict in verdicts])
     corners = np.concatenate(truth.outlines)
-    low = np.maximum(points.min(0), corners.min(0)) - ROOM
+    low = np.maximum(points.min(0), corners.min(0)) - [ROOM, ROOM + STRIP]
     return low, np.minimum(points.max(0), corners.max(0)) + ROOM
 
 
@@ -37,8 +38,9 @@ def draw_map(axes, run, truth, verdict):
     marks = verdict.grid.marks
     axes.add_collection(PatchCollection(squares(marks[~wrong], size), facecolor=RIGHT, edgecolor='none'))
     axes.add_collection(PatchCollection(squares(marks[wrong], size), facecolor=FALSE, edgecolor='none'))
-    axes.add_collection(PatchCollection(squares(verdict.far[0], LATTICE), facecolor=BEYOND, edgecolor='none'))
-    axes.add_collection(PatchCollection(squares(verdict.missed, LATTICE), facecolor=MISSED, edgecolor='none'))
+    axes.add_collection(PatchCollection(squares(verdict.far.points, LATTICE), facecolor=BEYOND, edgecolor='none'))
+    for missed in (verdict.before, verdict.near):
+        axes.add_collection(PatchCollection(squares(missed.points, LATTICE), facecolor=MISSED, edgecolor='none'))
     way = np.array([run.poses[stamp][0] for stamp in sorted(run.poses)])
     axes.plot(way[:, 0, 3], way[:, 1, 3], color=WAY, linewidth=1.6, zorder=4)
     place, yaw = way[-1][:2, 3], math.degrees(math.atan2(way[-1][1, 0], way[-1][0, 0]))
@@ -49,14 +51,13 @@ def draw_map(axes, run, truth, verdict):
 
 
 def draw_scale(axes, low):
-    x, y = low + 0.15
-    axes.add_patch(Rectangle((x - 0.08, y - 0.08), 1.16, 0.36, facecolor='white', alpha=0.85, edgecolor='none', zorder=5))
-    axes.plot([x, x + 1.0], [y, y], color='black', linewidth=2.5, solid_capstyle='butt', zorder=6)
-    axes.text(x + 0.5, y + 0.06, '1 m', ha='center', va='bottom', fontsize=10.5, zorder=6)
+    x, y = low + [0.15, STRIP / 2]
+    axes.plot([x, x + 1.0], [y, y], color='black', linewidth=2.5, solid_capstyle='butt')
+    axes.text(x + 1.1, y, '1 m', va='center', fontsize=10.5)
 
 
 def title(each, verdict):
-    missed, far = len(verdict.missed), len(verdict.far[0])
+    missed, far = len(verdict.near.points) + len(verdict.before.points), len(verdict.far.points)
     return '%s\nmarked floor: %d cells; missed: %d, and %d beyond %g m' % (
         str(each).replace('`', ''), verdict.is_false.sum(), missed, far, NEAR)
 
@@ -64,10 +65,8 @@ def title(each, verdict):
 def draw(path, run, truth, panels):
     """panels: map and verdict, from left to right."""
     low, high = frame_of(run, truth, [verdict for _, verdict in panels])
-    width = 11.2
-    each = (width - 0.2) / len(panels)
-    height = each * (high - low)[1] / (high - low)[0]
-    figure, row = plt.subplots(1, len(panels), figsize=(width, height + 1.05))
+    height = (WIDTH - 0.2) / len(panels) * (high - low)[1] / (high - low)[0]
+    figure, row = plt.subplots(1, len(panels), figsize=(WIDTH, height + HEAD + FOOT))
     for axes, (each, verdict) in zip(np.atleast_1d(row), panels):
         draw_map(axes, run, truth, verdict)
         draw_scale(axes, low)
@@ -85,6 +84,7 @@ def draw(path, run, truth, panels):
         Patch(facecolor=BEYOND, label='the same beyond %g m' % NEAR),
         Line2D([], [], color=WAY, marker='o', label='way; view of %g and 5 m' % NEAR)],
         loc='lower center', ncol=6, frameon=False, fontsize=10.5, handlelength=1.2, columnspacing=1.2)
-    figure.subplots_adjust(left=0.005, right=0.995, top=1 - 0.55 / (height + 1.05), bottom=0.38 / (height + 1.05), wspace=0.02)
+    whole = height + HEAD + FOOT
+    figure.subplots_adjust(left=0.005, right=0.995, top=1 - HEAD / whole, bottom=FOOT / whole, wspace=0.02)
     figure.savefig(path, dpi=100)
     plt.close(figure)

@@ -11,6 +11,7 @@ RAW_CLOUD = '/camera/depth/points'
 UPDATES = 5.0  # [Hz] of a costmap, as config/costmap_scan.yaml has it
 # [m] obstacle_range of costmap_2d by default, and of config/costmap_scan.yaml.
 NEAR, FAR = 2.5, 4.99
+LAYERS = {'voxel': 'costmap_2d::VoxelLayer', 'obstacle': 'costmap_2d::ObstacleLayer'}
 
 
 def read_config(name):
@@ -39,8 +40,9 @@ class Case:
         if self.tf_knows:
             return text + '; tf knows every motion of the camera'
         if self.error:
-            return '%s; the camera looks %g degrees %s down than tf says' % (
-                text, abs(math.degrees(self.error)), 'farther' if self.error > 0 else 'less')
+            degrees = round(abs(math.degrees(self.error)), 2)
+            return '%s; the camera looks %g degree%s %s down than tf says' % (
+                text, degrees, '' if degrees == 1 else 's', 'farther' if self.error > 0 else 'less')
         return text + '; tf has the camera where it is on average'
 
 
@@ -76,22 +78,24 @@ class Map:
         parameters = read_config('costmap_scan.yaml')
         if self.reads_cloud:
             # All but the layer is the same.
-            parameters['plugins'][0]['type'] = {'voxel': 'costmap_2d::VoxelLayer', 'obstacle': 'costmap_2d::ObstacleLayer'}[self.kind]
+            parameters['plugins'][0]['type'] = LAYERS[self.kind]
             parameters['obstacles'] = self._raw_layer(case.max_height)
         # Every update is published, and whole.
         parameters.update(publish_frequency=10 * UPDATES, always_send_full_costmap=True)
         return parameters
 
     def _raw_layer(self, max_height):
-        """Voxels, and by default ranges, as in costmap_2d's own launch/example_params.yaml, with a laser's points from 8 cm on.
+        """Voxels, and by default ranges, as in costmap_2d's own launch/example_params.yaml.
 
-        The points of the floor clear, as a source of their own, or nothing would clear where there is only floor.
+        It takes a laser's points from 8 cm on. The points of the floor clear, as a source of their own, or nothing would
+        clear where there is only floor.
         """
-        source = {'topic': RAW_CLOUD, 'data_type': 'PointCloud2', 'obstacle_range': self.range, 'raytrace_range': self.range + 0.5,
-                  'expected_update_rate': 0.5}
+        source = {'topic': RAW_CLOUD, 'data_type': 'PointCloud2', 'obstacle_range': self.range,
+                  'raytrace_range': self.range + 0.5, 'expected_update_rate': 0.5}
         layer = {
             'track_unknown_space': False, 'max_obstacle_height': max_height, 'observation_sources': 'marking clearing',
-            'marking': dict(source, marking=True, clearing=False, min_obstacle_height=self.height, max_obstacle_height=max_height),
+            'marking': dict(source, marking=True, clearing=False,
+                            min_obstacle_height=self.height, max_obstacle_height=max_height),
             'clearing': dict(source, marking=False, clearing=True, min_obstacle_height=-1.0, max_obstacle_height=3.0)}
         if self.kind == 'voxel':
             layer.update(origin_z=0.0, z_resolution=0.2, z_voxels=10, unknown_threshold=10, mark_threshold=0)

@@ -149,9 +149,9 @@ class World:
         # Not as a node of its own: a nodelet begins when its manager knows the time.
         remaps = '/tf:=/true_tf', '/tf_static:=/true_tf_static'
         self.nodes.start(MANAGER[1:], ['rosrun', 'nodelet', 'nodelet', 'manager'], *remaps)
-        self._wait(lambda: self._set_time(self.now) or self._connections('/clock', 'i') > 0, 'the simulated camera\'s manager')
-        self.nodes.start(CAMERA[1:], ['rosrun', 'nodelet', 'nodelet', 'load', 'polygonal_perception/SimulatedCamera', MANAGER, '--no-bond'],
-                         *remaps)
+        self._wait(lambda: self._set_time(self.now) or self._connections('/clock', 'i') > 0, 'the manager of the camera')
+        load = ['load', 'polygonal_perception/SimulatedCamera', MANAGER, '--no-bond']
+        self.nodes.start(CAMERA[1:], ['rosrun', 'nodelet', 'nodelet', *load], *remaps)
         loaded = rospy.ServiceProxy(MANAGER + '/list', NodeletList)
         self._wait(lambda: CAMERA in loaded().nodelets and self._connections('/true_tf') > 0, 'the simulated camera')
 
@@ -161,7 +161,8 @@ class World:
         self._read(TRUTH, PolygonArray, lambda message: setattr(self.run, 'truth', message))
         expected = {RAW_CLOUD: 1 + sum(each.reads_cloud for each in self.options.maps), '/camera/depth/image_raw': 1,
                     '/camera/depth/camera_info': 1, TRUTH: 1}
-        self._wait(lambda: all(self._connections(topic) == count for topic, count in expected.items()), 'all to read the camera')
+        self._wait(lambda: all(self._connections(topic) == count for topic, count in expected.items()),
+                   'all to read the camera')
 
     def _play(self, motion):
         run, costmaps = self.run, [each for each in self.options.maps if each.is_costmap]
