@@ -118,6 +118,7 @@ void RollingMap::add(const Observation& observation)
   if (frame_ == 0) first_stamp_ = observation.stamp;
   ++frame_;
   newest_stamp_ = std::max(newest_stamp_, observation.stamp);
+  if (observation.geometry.size() == 0) return;  // one of its sides may be of any length
   mark(observation);
   if (observation.may_clear) clear(observation);
 }
@@ -157,7 +158,6 @@ void RollingMap::mark(const Observation& observation)
 void RollingMap::clear(const Observation& observation)
 {
   const GridGeometry& grid = observation.geometry;
-  if (grid.size() == 0) return;
   // The grid's rectangle, upright.
   Eigen::AlignedBox2d box;
   const Eigen::AlignedBox2d bounds = grid.bounds();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -245,8 +246,10 @@ TEST_F(RollingMapTest, AGridWithoutCellsIsNotReadWhereverItLies)
   add();
   occupancy::GridGeometry none;
   none.resolution = 0.1;
-  for (const int rows : {0, 20}) {
-    none.cells_x = 20 - rows;
+  const int longest = std::numeric_limits<int>::max();
+  for (const auto& [columns, rows] :
+       {std::pair(20, 0), std::pair(0, 20), std::pair(0, longest), std::pair(longest, 0)}) {
+    none.cells_x = columns;
     none.cells_y = rows;
     for (int yaw = 0; yaw < 8; ++yaw) {
       // Its corner lies on the middle of a cell.

@@ -158,10 +158,12 @@ CELLS = {
     **{'a_slab_height_of_%s' % v: (set_to(slab_height=v), 'slab_height is %s, accepted is a finite number above 0 m' % t)
        for v, t in ((0.0, '0'), (-1.0, '-1'), (NAN, 'nan'), (INFINITY, 'inf'))},
     'another_slab_height': (set_to(slab_height=0.1), 'slab_height is 0.1 and in the map 0.07, accepted are sensors with the same'),
-    'too_many_cells': (within('info', width=2001, height=2000), 'info.width times info.height is 4.002e+06, accepted is at most 4e6'),
+    'too_many_cells': (within('info', width=2001, height=2000), 'info.width x info.height is 2001 x 2000, accepted are at most 4e6 cells'),
     # 65536 x 65536 is 0 in 32 bits.
-    'sizes_whose_product_overflows': (within('info', width=65536, height=65536), 'accepted is at most 4e6'),
-    'huge_sizes': (within('info', width=LARGEST, height=LARGEST), 'accepted is at most 4e6'),
+    'sizes_whose_product_overflows': (within('info', width=65536, height=65536), 'accepted are at most 4e6 cells'),
+    'huge_sizes': (within('info', width=LARGEST, height=LARGEST), 'accepted are at most 4e6 cells'),
+    'no_cells_but_a_huge_height': (lambda cells: (within('info', width=0, height=LARGEST)(cells), set_to(hit=b'', free=b'', floor=b'')(cells)),
+                                   'info.width x info.height is 0 x 4294967295, accepted are at most 4e6 cells'),
     'sizes_beyond_the_data': (within('info', width=41), 'hit has 1600 cells, accepted is 1640, info.width times info.height'),
     **{name + '_too_short': (set_to(**{name: bytes(1599)}), name + ' has 1599 cells, accepted is 1600') for name in ('hit', 'free', 'floor')},
     **{name + '_too_long': (set_to(**{name: bytes(1601)}), name + ' has 1601 cells, accepted is 1600') for name in ('hit', 'free', 'floor')},

@@ -1,5 +1,6 @@
 #include "ros/mapping/cells_reading.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
@@ -35,18 +36,22 @@ std::string cellsError(const ObservedCells& cells)
     return "info.resolution is " + numberText(resolution) + ", accepted is 0.001 to 10 m";
   if (!(cells.slab_height > 0.0F && std::isfinite(cells.slab_height)))
     return "slab_height is " + numberText(cells.slab_height) + ", accepted is a finite number above 0 m";
-  const double size = static_cast<double>(cells.info.width) * cells.info.height;
-  if (size > kMostCells)
-    return "info.width times info.height is " + numberText(size) + ", accepted is at most 4e6";
+  // Of none, too, both sides are counted through.
+  const auto side = [](std::uint32_t cells) { return std::max(1.0, static_cast<double>(cells)); };
+  if (side(cells.info.width) * side(cells.info.height) > kMostCells) {
+    return "info.width x info.height is " + std::to_string(cells.info.width) + " x " +
+           std::to_string(cells.info.height) + ", accepted are at most 4e6 cells";
+  }
+  const std::size_t size = std::size_t{cells.info.width} * cells.info.height;
   const struct
   {
     const char* name;
     std::size_t size;
   } layers[] = {{"hit", cells.hit.size()}, {"free", cells.free.size()}, {"floor", cells.floor.size()}};
   for (const auto& layer : layers) {
-    if (static_cast<double>(layer.size) != size) {
+    if (layer.size != size) {
       return std::string(layer.name) + " has " + std::to_string(layer.size) + " cells, accepted is " +
-             numberText(size) + ", info.width times info.height";
+             std::to_string(size) + ", info.width times info.height";
     }
   }
   const auto& p = cells.info.origin.position;
