@@ -1,0 +1,308 @@
+#include "polygonal_perception/planning/path_search.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "planning/interval_length.hpp"
+#include "polygonal_perception/geometry/predicates.hpp"
+
+namespace polygonal_perception::planning {
+
+using geometry::orientation;
+using geometry::Orientation;
+using geometry::TriangleMesh;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The half-edges around a place's point whose triangles contain it and are free: one, two or all around a vertex.
+template <class Take>
+void forEachTriangleAt(const FreeSpace& space, const FreePlace& place, Take&& take)
+{
+  take(place.half_edge);
+  const TriangleMesh& mesh = space.mesh();
+  if (place.at_origin) {
+    for (std::uint32_t spoke = mesh.nextAround(place.half_edge);
+         spoke != place.half_edge && spoke != TriangleMesh::kNone; spoke = mesh.nextAround(spoke)) {
+      if (space.isFree(spoke)) take(spoke);
+    }
+  } else if (place.on_edge && space.isOpen(place.half_edge)) {
+    take(mesh.twin(place.half_edge));
+  }
+}
+
+}  // namespace
+
+void PathSearch::setSpace(const FreeSpace& space)
+{
+  space_ = &space;
+  const auto& vertices = space.mesh().vertices;
+  points_.assign(vertices.begin(), vertices.end());
+  start_ = static_cast<std::uint32_t>(points_.size());
+  goal_ = start_ + 1;
+  points_.resize(points_.size() + 2);
+  best_.assign(points_.size(), kInfinity);
+  touched_.clear();
+  has_goal_.assign(space.mesh().triangleCount(), 0);
+  goal_triangles_.clear();
+}
+
+std::optional<double> PathSearch::plan(const FreePlace& start, const FreePlace& goal,
+                                       std::vector<Eigen::Vector2d>& path)
+{
+  path.clear();
+  for (const std::uint32_t index : touched_) best_[index] = kInfinity;
+  touched_.clear();
+  visits_.clear();
+  cones_.clear();
+  queue_.clear();
+  expanded_corners_ = crossed_triangles_ = 0;
+  points_[start_] = start.point;
+  points_[goal_] = goal.point;
+  markGoal(goal);
+
+  expandStart(start);
+  while (!queue_.empty()) {
+    const Queued next = queue_.front();
+    std::pop_heap(queue_.begin(), queue_.end());
+    queue_.pop_back();
+    if (next.is_cone) {
+      const Cone& cone = cones_[next.index];
+      const Visit& root = visits_[cone.root];
+      if (root.length <= best_[root.point]) follow(cone);
+      continue;
+    }
+    const Visit& visit = visits_[next.index];
+    if (visit.length > best_[visit.point]) continue;
+    if (visit.point == goal_) return read(next.index, path);
+    expandCorner(next.index);
+  }
+  return std::nullopt;
+}
+
+void PathSearch::markGoal(const FreePlace& goal)
+{
+  for (const std::uint32_t triangle : goal_triangles_) has_goal_[triangle] = 0;
+  goal_triangles_.clear();
+  forEachTriangleAt(*space_, goal, [this](std::uint32_t half_edge) {
+    goal_triangles_.push_back(TriangleMesh::triangleOf(half_edge));
+    has_goal_[goal_triangles_.back()] = 1;
+  });
+}
+
+void PathSearch::expandStart(const FreePlace& start)
+{
+  best_[start_] = 0.0;
+  touched_.push_back(start_);
+  visits_.push_back({start_, kNone, kNone, 0.0});
+  forEachTriangleAt(*space_, start, [&](std::uint32_t first) {
+    const TriangleMesh& mesh = space_->mesh();
+    if (has_goal_[TriangleMesh::triangleOf(first)] != 0) reach(0, goal_, kNone);
+    std::uint32_t edge = first;
+    for (int i = 0; i < 3; ++i, edge = TriangleMesh::next(edge)) {
+      see(0, edge);
+      // Not through an edge on which the start lies, nor through one that ends in it.
+      if (i == 0 && start.on_edge) continue;
+      if (i == 2 && start.at_origin) continue;
+      push({0, edge, {start_, mesh.origin(edge)}, {start_, mesh.target(edge)}});
+    }
+  });
+}
+
+void PathSearch::expandCorner(std::uint32_t visit)
+{
+  ++expanded_corners_;
+  turnRight(visit, visits_[visit].half_edge);
+  turnLeft(visit, visits_[visit].half_edge);
+}
+
+void PathSearch::turnRight(std::uint32_t visit, std::uint32_t from)
+{
+  const TriangleMesh& mesh = space_->mesh();
+  const std::uint32_t corner = visits_[visit].point;
+  const std::uint32_t before = visits_[visits_[visit].parent].point;
+  const Side ahead{before, corner};
+  const auto isAhead = [&](std::uint32_t p) {
+    return (point(p) - point(corner)).dot(point(corner) - point(before)) > 0.0;
+  };
+  // Clockwise through the triangles around the corner, to those that are reached by half a turn or more from where the
+  // path comes from.
+  for (std::uint32_t spoke = from;; spoke = mesh.previousAround(spoke)) {
+    if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone);
+    const std::uint32_t right_end = mesh.target(spoke);
+    const Orientation side = sideOf(ahead, right_end);
+    if (side == Orientation::kClockwise || (side == Orientation::kCollinear && isAhead(right_end))) {
+      see(visit, TriangleMesh::next(spoke));
+      const bool whole = sideOf(ahead, mesh.apex(spoke)) != Orientation::kCounterClockwise;
+      if (side == Orientation::kClockwise) {
+        push({visit,
+              TriangleMesh::next(spoke),
+              {corner, right_end},
+              whole ? Side{corner, mesh.apex(spoke)} : ahead,
+              true,
+              whole});
+      }
+    }
+    if (!space_->isOpen(spoke)) return;
+  }
+}
+
+void PathSearch::turnLeft(std::uint32_t visit, std::uint32_t from)
+{
+  const TriangleMesh& mesh = space_->mesh();
+  const std::uint32_t corner = visits_[visit].point;
+  const std::uint32_t before = visits_[visits_[visit].parent].point;
+  const Side ahead{before, corner};
+  const auto isAhead = [&](std::uint32_t p) {
+    return (point(p) - point(corner)).dot(point(corner) - point(before)) > 0.0;
+  };
+  for (std::uint32_t spoke = from;; spoke = mesh.nextAround(spoke)) {
+    if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone);
+    const std::uint32_t left_end = mesh.apex(spoke);
+    const Orientation side = sideOf(ahead, left_end);
+    if (side == Orientation::kCounterClockwise || (side == Orientation::kCollinear && isAhead(left_end))) {
+      see(visit, TriangleMesh::previous(spoke));
+      const bool whole = sideOf(ahead, mesh.target(spoke)) != Orientation::kClockwise;
+      if (side == Orientation::kCounterClockwise) {
+        push({visit,
+              TriangleMesh::next(spoke),
+              whole ? Side{corner, mesh.target(spoke)} : ahead,
+              {corner, left_end},
+              whole,
+              true});
+      }
+    }
+    if (!space_->isOpen(TriangleMesh::previous(spoke))) return;
+  }
+}
+
+Orientation PathSearch::sideOf(const Side& side, std::uint32_t index) const
+{
+  return orientation(point(side.from), point(side.to), point(index));
+}
+
+void PathSearch::follow(Cone cone)
+{
+  const TriangleMesh& mesh = space_->mesh();
+  for (;;) {
+    ++crossed_triangles_;
+    const std::uint32_t beyond = mesh.twin(cone.half_edge);
+    if (has_goal_[TriangleMesh::triangleOf(beyond)] != 0) seeGoal(cone);
+    const std::uint32_t apex = mesh.apex(beyond);
+    const Orientation of_right = sideOf(cone.right, apex);
+    const Orientation of_left = sideOf(cone.left, apex);
+    Cone right = cone;
+    right.half_edge = TriangleMesh::next(beyond);
+    Cone left = cone;
+    left.half_edge = TriangleMesh::previous(beyond);
+    bool goes_right = space_->isOpen(right.half_edge);
+    bool goes_left = space_->isOpen(left.half_edge);
+    if (of_right == Orientation::kClockwise) {
+      goes_right = false;
+      left.has_right_end = false;
+    } else if (of_left == Orientation::kCounterClockwise) {
+      goes_left = false;
+      right.has_left_end = false;
+    } else {
+      const std::uint32_t root = visits_[cone.root].point;
+      see(cone.root, TriangleMesh::previous(beyond));
+      right.left = left.right = {root, apex};
+      right.has_left_end = left.has_right_end = true;
+      // A cone without a width shows nothing that its corners do not see.
+      goes_right = goes_right && of_right == Orientation::kCounterClockwise;
+      goes_left = goes_left && of_left == Orientation::kClockwise;
+    }
+    if (goes_right == goes_left) {
+      if (!goes_right) return;
+      push(right);
+      push(left);
+      return;
+    }
+    cone = goes_right ? right : left;
+  }
+}
+
+void PathSearch::seeGoal(const Cone& cone)
+{
+  if (sideOf(cone.right, goal_) == Orientation::kClockwise) return;
+  if (sideOf(cone.left, goal_) == Orientation::kCounterClockwise) return;
+  reach(cone.root, goal_, kNone);
+}
+
+void PathSearch::see(std::uint32_t root, std::uint32_t half_edge)
+{
+  const std::uint32_t vertex = space_->mesh().origin(half_edge);
+  const std::uint32_t from = visits_[root].point;
+  if (has_goal_[TriangleMesh::triangleOf(half_edge)] != 0 && point(vertex) == point(goal_))
+    reach(root, goal_, kNone);
+  if (space_->corner(half_edge) == nullptr || point(vertex) == point(from)) return;
+  if (isTangential(from, half_edge)) reach(root, vertex, half_edge);
+}
+
+bool PathSearch::isTangential(std::uint32_t from, std::uint32_t half_edge) const
+{
+  const FreeSpace::Corner& corner = *space_->corner(half_edge);
+  const Side ahead{from, space_->mesh().origin(half_edge)};
+  const auto turns = [&](std::uint32_t end, Orientation wanted) {
+    const Orientation side = sideOf(ahead, end);
+    if (side != Orientation::kCollinear) return side == wanted;
+    return (point(end) - point(ahead.to)).dot(point(ahead.to) - point(from)) > 0.0;
+  };
+  return turns(corner.first, Orientation::kClockwise) || turns(corner.last, Orientation::kCounterClockwise);
+}
+
+void PathSearch::reach(std::uint32_t root, std::uint32_t index, std::uint32_t half_edge)
+{
+  const double length = visits_[root].length + (point(index) - point(visits_[root].point)).norm();
+  if (length >= best_[index]) return;
+  if (best_[index] == kInfinity) touched_.push_back(index);
+  best_[index] = length;
+  visits_.push_back({index, root, half_edge, length});
+  queue_.push_back(
+      {length + (point(goal_) - point(index)).norm(), static_cast<std::uint32_t>(visits_.size() - 1), false});
+  std::push_heap(queue_.begin(), queue_.end());
+}
+
+void PathSearch::push(const Cone& cone)
+{
+  if (!space_->isOpen(cone.half_edge)) return;
+  cones_.push_back(cone);
+  queue_.push_back({estimate(cone), static_cast<std::uint32_t>(cones_.size() - 1), true});
+  std::push_heap(queue_.begin(), queue_.end());
+}
+
+Eigen::Vector2d PathSearch::crossing(const Side& side, std::uint32_t half_edge) const
+{
+  return lineCrossing(point(side.from), point(side.to), space_->mesh().originPoint(half_edge),
+                      space_->mesh().targetPoint(half_edge));
+}
+
+double PathSearch::estimate(const Cone& cone) const
+{
+  const TriangleMesh& mesh = space_->mesh();
+  const Visit& root = visits_[cone.root];
+  return root.length +
+         lengthThrough(
+             cone.has_right_end ? mesh.originPoint(cone.half_edge) : crossing(cone.right, cone.half_edge),
+             cone.has_left_end ? mesh.targetPoint(cone.half_edge) : crossing(cone.left, cone.half_edge),
+             point(root.point), point(goal_));
+}
+
+double PathSearch::read(std::uint32_t visit, std::vector<Eigen::Vector2d>& path) const
+{
+  const double length = visits_[visit].length;
+  for (std::uint32_t at = visit; at != kNone; at = visits_[at].parent)
+    path.push_back(point(visits_[at].point));
+  std::reverse(path.begin(), path.end());
+  return length;
+}
+
+void PathSearch::seenEdges(std::vector<SeenEdge>& edges) const
+{
+  edges.clear();
+  for (const Visit& visit : visits_)
+    if (visit.parent != kNone) edges.push_back({point(visits_[visit.parent].point), point(visit.point)});
+}
+
+}  // namespace polygonal_perception::planning
