@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "polygonal_perception/geometry/mesh_location.hpp"
 #include "polygonal_perception/geometry/predicates.hpp"
@@ -16,32 +17,46 @@ namespace {
 
 constexpr std::size_t kFirst = geometry::ConstrainedTriangulation::kSquareCorners;  // vertex of an obstacle
 
+/// Of obstacles of which somewhere more holes than boundaries lie.
+geometry::TriangulationFault nestingFault(const geometry::PolygonSet& obstacles)
+{
+  for (std::uint32_t i = 0; i < obstacles.rings.size(); ++i) {
+    const geometry::PolygonSet::Ring& ring = obstacles.rings[i];
+    const Orientation wrong = ring.hole ? Orientation::kCounterClockwise : Orientation::kClockwise;
+    if (geometry::orientation(obstacles.view(ring)) != wrong) continue;
+    return {i, obstacles.vertices[ring.first],
+            "ring " + std::to_string(i) +
+                (ring.hole ? ", a hole, runs counter-clockwise" : ", a boundary, runs clockwise")};
+  }
+  return {0, Eigen::Vector2d::Zero(), "a hole lies outside of its boundary"};
+}
+
 }  // namespace
 
-std::optional<geometry::TriangulationFault> FreeSpace::build(const geometry::PolygonSet& obstacles)
+std::optional<geometry::TriangulationFault> FreeSpace::build(const geometry::PolygonSet& obstacles,
+                                                             bool everything_is_blocked)
 {
   auto fault = triangulation_.triangulate(obstacles, mesh_);
-  if (!fault && !findDepths())
-    fault = geometry::TriangulationFault{0, Eigen::Vector2d::Zero(),
-                                         "a boundary runs clockwise, or a hole lies outside of its boundary"};
+  if (!fault && !findDepths(everything_is_blocked ? 1 : 0)) fault = nestingFault(obstacles);
   if (fault) {
     mesh_.clear();
     box_.setEmpty();
     return fault;
   }
   box_ = Eigen::AlignedBox2d(mesh_.vertices[0], mesh_.vertices[2]);
+  findRegions();
   findCorners();
   fillGrid();
   return std::nullopt;
 }
 
-bool FreeSpace::findDepths()
+bool FreeSpace::findDepths(std::int32_t outside)
 {
-  // Outwards in: the triangles at the square's border are in no polygon.
+  // Outwards in, from the square's border.
   constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
   depth_.assign(mesh_.triangleCount(), kUnknown);
   queue_.assign(1, mesh_.outgoing[0]);
-  depth_[queue_[0] / 3] = 0;
+  depth_[queue_[0] / 3] = outside;
   while (!queue_.empty()) {
     std::uint32_t edge = queue_.back();
     queue_.pop_back();
@@ -55,6 +70,29 @@ bool FreeSpace::findDepths()
     }
   }
   return true;
+}
+
+void FreeSpace::findRegions()
+{
+  region_.assign(mesh_.triangleCount(), TriangleMesh::kNone);
+  std::uint32_t count = 0;
+  for (std::uint32_t first = 0; first < region_.size(); ++first) {
+    if (depth_[first] != 0 || region_[first] != TriangleMesh::kNone) continue;
+    region_[first] = count;
+    queue_.assign(1, 3 * first);
+    while (!queue_.empty()) {
+      std::uint32_t edge = queue_.back();
+      queue_.pop_back();
+      for (int i = 0; i < 3; ++i, edge = TriangleMesh::next(edge)) {
+        if (!isOpen(edge)) continue;
+        const std::uint32_t twin = mesh_.twin(edge);
+        if (region_[twin / 3] != TriangleMesh::kNone) continue;
+        region_[twin / 3] = count;
+        queue_.push_back(twin);
+      }
+    }
+    ++count;
+  }
 }
 
 void FreeSpace::findCorners()
@@ -129,12 +167,13 @@ std::optional<FreePlace> FreeSpace::locate(const Eigen::Vector2d& point) const
   return free;
 }
 
-std::optional<FreePlace> FreeSpace::nearest(const Eigen::Vector2d& point) const
+std::optional<FreePlace> FreeSpace::nearest(const Eigen::Vector2d& point, std::uint32_t region) const
 {
   std::optional<FreePlace> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t edge = 0; edge < mesh_.half_edges.size(); ++edge) {
     if (!mesh_.half_edges[edge].constrained || !isFree(edge)) continue;
+    if (region != TriangleMesh::kNone && region_[edge / 3] != region) continue;
     const Eigen::Vector2d& from = mesh_.originPoint(edge);
     const Eigen::Vector2d along = mesh_.targetPoint(edge) - from;
     const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);

@@ -16,22 +16,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The half-edges around a place's point whose triangles contain it and are free: one, two or all around a vertex.
-template <class Take>
-void forEachTriangleAt(const FreeSpace& space, const FreePlace& place, Take&& take)
-{
-  take(place.half_edge);
-  const TriangleMesh& mesh = space.mesh();
-  if (place.at_origin) {
-    for (std::uint32_t spoke = mesh.nextAround(place.half_edge);
-         spoke != place.half_edge && spoke != TriangleMesh::kNone; spoke = mesh.nextAround(spoke)) {
-      if (space.isFree(spoke)) take(spoke);
-    }
-  } else if (place.on_edge && space.isOpen(place.half_edge)) {
-    take(mesh.twin(place.half_edge));
-  }
-}
-
 }  // namespace
 
 void PathSearch::setSpace(const FreeSpace& space)
@@ -85,7 +69,7 @@ void PathSearch::markGoal(const FreePlace& goal)
 {
   for (const std::uint32_t triangle : goal_triangles_) has_goal_[triangle] = 0;
   goal_triangles_.clear();
-  forEachTriangleAt(*space_, goal, [this](std::uint32_t half_edge) {
+  space_->forEachTriangleAt(goal, [this](std::uint32_t half_edge) {
     goal_triangles_.push_back(TriangleMesh::triangleOf(half_edge));
     has_goal_[goal_triangles_.back()] = 1;
   });
@@ -96,7 +80,7 @@ void PathSearch::expandStart(const FreePlace& start)
   best_[start_] = 0.0;
   touched_.push_back(start_);
   visits_.push_back({start_, kNone, kNone, 0.0});
-  forEachTriangleAt(*space_, start, [&](std::uint32_t first) {
+  space_->forEachTriangleAt(start, [&](std::uint32_t first) {
     const TriangleMesh& mesh = space_->mesh();
     if (has_goal_[TriangleMesh::triangleOf(first)] != 0) reach(0, goal_, kNone);
     std::uint32_t edge = first;

@@ -9,17 +9,20 @@ import rostest
 import yaml
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import Image, PointCloud2
+from visualization_msgs.msg import MarkerArray
 
 from polygonal_perception.msg import FloorPlane, PolygonArray
 from virtual_rviz import VirtualRviz, what_is_missing
 
 START = 60.0  # [s] until rviz has subscribed; under a software renderer and a busy machine
 VIEWS = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..', 'rviz')
+TOPICS = ('Topic', 'Image Topic', 'Marker Topic')  # what displays call it
 TYPES = {
     'polygonal_perception/FloorPlane': FloorPlane,
     'polygonal_perception/PolygonArray': PolygonArray,
     'rviz/Image': Image,
     'rviz/Map': OccupancyGrid,
+    'rviz/MarkerArray': MarkerArray,
     'rviz/PointCloud2': PointCloud2,
 }
 
@@ -30,7 +33,7 @@ class ViewTest(unittest.TestCase):
         view = os.path.join(VIEWS, name)
         with open(view) as file:
             displays = yaml.safe_load(file)['Visualization Manager']['Displays']
-        topics = {d.get('Topic') or d['Image Topic']: TYPES[d['Class']]
+        topics = {next(d[key] for key in TOPICS if key in d): TYPES[d['Class']]
                   for d in displays if d['Enabled'] and d['Class'] != 'rviz/TF'}
         self.assertLessEqual(kinds, set(topics.values()))
         publishers = [rospy.Publisher(topic, kind, queue_size=1) for topic, kind in topics.items()]

@@ -41,16 +41,40 @@ public:
   /// Replaces the obstacles. Memory is used again.
   ///
   /// @param obstacles  polygons that may touch, overlap and cross; their borders are free
+  /// @param everything_is_blocked  but for what a hole without a boundary of its own leaves open
   /// @return nothing; or why they are refused, and then there is no free space at all: see ConstrainedTriangulation, and
   ///         rings that run the wrong way
-  std::optional<geometry::TriangulationFault> build(const geometry::PolygonSet& obstacles);
+  std::optional<geometry::TriangulationFault> build(const geometry::PolygonSet& obstacles,
+                                                    bool everything_is_blocked = false);
 
   /// The place of a point that is free; nothing where it is inside an obstacle or beyond the square that the mesh covers.
   std::optional<FreePlace> locate(const Eigen::Vector2d& point) const;
 
   /// The nearest free place to a point inside an obstacle: a point of an obstacle's border. O(edges).
-  /// @return nothing where there is no obstacle
-  std::optional<FreePlace> nearest(const Eigen::Vector2d& point) const;
+  ///
+  /// @param region  only places of this one; kNone: of any
+  /// @return nothing where there is none
+  std::optional<FreePlace> nearest(const Eigen::Vector2d& point,
+                                   std::uint32_t region = geometry::TriangleMesh::kNone) const;
+
+  /// The connected region of free space that the triangle of a half-edge is part of. No way leads from one to another, since
+  /// none leads through a point in which obstacles touch.
+  std::uint32_t region(std::uint32_t half_edge) const { return region_[half_edge / 3]; }
+  /// Calls `take` with a half-edge of each free triangle that contains a place: one, two on an edge, or those around a vertex.
+  template <class Take>
+  void forEachTriangleAt(const FreePlace& place, Take&& take) const
+  {
+    take(place.half_edge);
+    if (place.at_origin) {
+      for (std::uint32_t spoke = mesh_.nextAround(place.half_edge);
+           spoke != place.half_edge && spoke != geometry::TriangleMesh::kNone;
+           spoke = mesh_.nextAround(spoke)) {
+        if (isFree(spoke)) take(spoke);
+      }
+    } else if (place.on_edge && isOpen(place.half_edge)) {
+      take(mesh_.twin(place.half_edge));
+    }
+  }
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
   bool isFree(std::uint32_t half_edge) const { return depth_[half_edge / 3] == 0; }
@@ -70,14 +94,16 @@ public:
   const Eigen::AlignedBox2d& box() const { return box_; }
 
 private:
-  bool findDepths();
+  bool findDepths(std::int32_t outside);
+  void findRegions();
   void findCorners();
   void fillGrid();
 
   geometry::ConstrainedTriangulation triangulation_;
   geometry::TriangleMesh mesh_;
   Eigen::AlignedBox2d box_;
-  std::vector<std::int32_t> depth_;  // of each triangle: how many polygons contain it
+  std::vector<std::int32_t> depth_;    // of each triangle: how many polygons contain it
+  std::vector<std::uint32_t> region_;  // of each triangle that is free
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> corner_of_;  // of each half-edge
   std::vector<std::uint32_t> queue_;
