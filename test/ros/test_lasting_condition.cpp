@@ -34,5 +34,15 @@ TEST(LastingCondition, APauseIsNoTimeOfIt)
   EXPECT_FALSE(condition.update(true, ros::Time(60.0)));
 }
 
+TEST(LastingCondition, StampsMayBeAtBothEndsOfTheirRange)
+{
+  LastingCondition condition(ros::Duration(2.0));
+  condition.update(true, ros::TIME_MIN);
+  EXPECT_TRUE(condition.update(true, ros::TIME_MAX));
+  condition.reset();
+  condition.update(true, ros::TIME_MAX);
+  EXPECT_FALSE(condition.update(true, ros::TIME_MIN));
+}
+
 }  // namespace
 }  // namespace polygonal_perception::ros_common

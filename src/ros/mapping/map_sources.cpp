@@ -12,6 +12,16 @@ namespace polygonal_perception::ros_mapping {
 
 using parameters::numberText;
 
+namespace {
+
+/// Whether a stamp is older than another one by more than some seconds. A sum of stamps throws at the end of their range.
+bool isOlder(const ros::Time& stamp, const ros::Time& other, double seconds)
+{
+  return other.toSec() - stamp.toSec() > seconds;
+}
+
+}  // namespace
+
 MapSources::MapSources(const std::vector<std::string>& names)
 {
   for (const std::string& name : names) {
@@ -26,7 +36,7 @@ bool MapSources::jumpsBack(std::size_t index, const ros::Time& stamp)
   // A driver's stamps may be some frames out of order, but not by so much.
   constexpr double kJump = 1.0;  // [s]
   Source& source = sources_[index];
-  const bool is_old = stamp + ros::Duration(kJump) < source.last_stamp;
+  const bool is_old = isOlder(stamp, source.last_stamp, kJump);
   const bool jumps = is_old && !source.old_stamp.isZero() && stamp > source.old_stamp;
   source.old_stamp = is_old ? stamp : ros::Time();
   return jumps;
@@ -37,7 +47,7 @@ bool MapSources::mayClear(std::size_t index, const ros::Time& stamp, std::uint8_
 {
   Source& source = sources_[index];
   const bool is_repeated = stamp <= source.last_stamp;
-  source.is_late = stamp + ros::Duration(max_delay) < newest_;
+  source.is_late = isOlder(stamp, newest_, max_delay);
   source.floor_status = floor_status;
   source.last_arrival = now;
   source.last_stamp = std::max(source.last_stamp, stamp);

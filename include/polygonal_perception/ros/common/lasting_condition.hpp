@@ -20,7 +20,8 @@ public:
       return false;
     }
     if (!since_) since_ = stamp;
-    if (is_said_ || stamp - *since_ < while_) return false;
+    // As numbers: a difference of stamps throws where it is more than 68 years.
+    if (is_said_ || stamp.toSec() - since_->toSec() < while_.toSec()) return false;
     is_said_ = true;
     return true;
   }
