@@ -19,12 +19,13 @@ void requireSound(const mapping::PolygonMap::Result& result)
   require(!defect, defect ? defect->text.c_str() : "");
 }
 
-void requireContract(const mapping::PolygonMap::Result& result, const MapLengths& lengths)
+void requireSafe(const mapping::PolygonMap::Result& result, const MapLengths& lengths)
 {
-  const auto fault = reference::PolygonChecker(result.occupied, result.polygons, lengths.radiusInCells(),
-                                               lengths.limitInCells())
-                         .fault();
-  require(!fault, fault ? fault->c_str() : "");
+  const reference::PolygonChecker checker(result.occupied, result.polygons, lengths.radiusInCells(),
+                                          lengths.limitInCells());
+  for (const auto& fault :
+       {checker.notOnLattice(), checker.notSimple(), checker.wrongNesting(), checker.unsafe()})
+    require(!fault, fault ? fault->c_str() : "");
 }
 
 }  // namespace polygonal_perception::test
