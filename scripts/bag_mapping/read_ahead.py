@@ -3,6 +3,7 @@ import fcntl
 import multiprocessing
 import signal
 
+from bag_mapping import signals
 from bag_mapping.bag_reading import Bag, BagError, Message
 
 F_SETPIPE_SZ, PIPE = 1031, 1 << 20  # Linux; [bytes] in few pieces
@@ -14,6 +15,7 @@ def pump(path, topics, pipe, reader):
     # Whoever reads ends it.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signals.let_through()
     try:
         with Bag(path) as bag:
             for message in bag.messages(topics):
@@ -37,7 +39,8 @@ class ReadAhead:
         except OSError:
             pass  # an administrator may allow less
         self._process = processes.Process(target=pump, args=(path, topics, other, self._pipe), daemon=True)
-        self._process.start()
+        with signals.held_back():
+            self._process.start()
         other.close()
 
     def __enter__(self):

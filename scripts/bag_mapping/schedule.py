@@ -8,6 +8,7 @@ import sys
 import time
 import traceback
 
+from bag_mapping import signals
 from bag_mapping.bag_reading import BagError
 from bag_mapping.parameters import ParameterError
 from bag_mapping.run import Run
@@ -53,11 +54,12 @@ def work(path, options, pipe, ends_of_others):
 
     def stop(*_):
         # Once: what is cleaned up then is not to be interrupted.
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in signals.ENDING:
             signal.signal(number, lambda *_: None)
         raise KeyboardInterrupt
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in signals.ENDING:
         signal.signal(number, stop)
+    signals.let_through()
     last = 0.0
 
     def progress(done, total):
@@ -90,9 +92,10 @@ def run_all(paths, options):
                 path = waiting.pop(0)
                 pipe, other = processes.Pipe(duplex=False)
                 process = processes.Process(target=work, args=(path, options, other, [pipe, *running]))
-                process.start()
+                with signals.held_back():
+                    process.start()
+                    running[pipe] = (path, process)
                 other.close()
-                running[pipe] = (path, process)
             for pipe in multiprocessing.connection.wait(list(running)):
                 path, process = running[pipe]
                 try:

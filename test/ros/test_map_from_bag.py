@@ -176,6 +176,19 @@ class MapFromBagTest(unittest.TestCase):
         self.assertEqual(len(self.files(self.folder, 'good')), len(ENDINGS))
         self.assertEqual([p.name for p in self.folder.iterdir() if p.suffix != '.bag' and p.stem != 'good'], [])
 
+    def test_a_reader_that_is_not_wanted_any_more_ends_without_a_word(self):
+        """At once, too, when it still has the handlers of the process that began it."""
+        bag = recorded_run.write(self.folder / 'run.bag', 0.5)
+        program = '\n'.join((
+            'import pathlib, signal, sys',
+            'sys.path.insert(0, sys.argv[1])',
+            'from bag_mapping.read_ahead import ReadAhead',
+            'signal.signal(signal.SIGTERM, signal.default_int_handler)',
+            'for _ in range(300):',
+            '    with ReadAhead(pathlib.Path(sys.argv[2]), []): pass'))
+        result = subprocess.run([sys.executable, '-c', program, str(SCRIPT.parent), str(bag)], capture_output=True, text=True, timeout=60)
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
+
     def test_what_is_asked_for_and_not_there(self):
         good = recorded_run.write(self.folder / 'good.bag', 0.5)
         self.check_refused(good, "does not lead from 'camera_depth_optical_frame' to 'map'; it knows base_link", 'fixed_frame:=map')
