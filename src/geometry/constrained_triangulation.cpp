@@ -13,7 +13,7 @@ namespace polygonal_perception::geometry {
 namespace {
 
 constexpr double kFarthest = 1e8;             // [m]
-constexpr std::size_t kCrossingsAVertex = 4;  // more are no map
+constexpr std::size_t kCrossingsAVertex = 4;  // this package's polygons have none; many take n squared
 
 TriangulationFault fault(std::uint32_t ring, const Eigen::Vector2d& place, const char* what)
 {

@@ -148,7 +148,7 @@ void FreeSpace::fillGrid()
 
 std::optional<FreePlace> FreeSpace::locate(const Eigen::Vector2d& point) const
 {
-  if (!box_.contains(point)) return std::nullopt;
+  if (!covers(point)) return std::nullopt;
   const Eigen::Vector2d cell = ((point - grid_box_.min()) / cell_size_).cwiseMax(0.0);
   const auto column = static_cast<std::size_t>(std::min(cell.x(), columns_ - 1.0));
   const auto row = static_cast<std::size_t>(std::min(cell.y(), rows_ - 1.0));

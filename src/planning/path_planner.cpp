@@ -26,7 +26,7 @@ std::optional<geometry::TriangulationFault> PathPlanner::setObstacles(
 
 bool PathPlanner::isOutside(const Eigen::Vector2d& point) const
 {
-  if (!space_.box().contains(point)) return true;
+  if (!space_.covers(point)) return true;
   if (outside_is_free_) return false;
   return extent_.size() < 3 ||
          geometry::locate(point, geometry::RingView(extent_)) == geometry::Location::kOutside;

@@ -97,68 +97,43 @@ void PathSearch::expandStart(const FreePlace& start)
 void PathSearch::expandCorner(std::uint32_t visit)
 {
   ++expanded_corners_;
-  turnRight(visit, visits_[visit].half_edge);
-  turnLeft(visit, visits_[visit].half_edge);
+  turn(visit, Orientation::kClockwise);
+  turn(visit, Orientation::kCounterClockwise);
 }
 
-void PathSearch::turnRight(std::uint32_t visit, std::uint32_t from)
+void PathSearch::turn(std::uint32_t visit, Orientation way)
 {
   const TriangleMesh& mesh = space_->mesh();
+  const bool is_right = way == Orientation::kClockwise;
   const std::uint32_t corner = visits_[visit].point;
-  const std::uint32_t before = visits_[visits_[visit].parent].point;
-  const Side ahead{before, corner};
-  const auto isAhead = [&](std::uint32_t p) {
-    return (point(p) - point(corner)).dot(point(corner) - point(before)) > 0.0;
-  };
-  // Clockwise through the triangles around the corner, to those that are reached by half a turn or more from where the
-  // path comes from.
-  for (std::uint32_t spoke = from;; spoke = mesh.previousAround(spoke)) {
+  const Side ahead{visits_[visits_[visit].parent].point, corner};
+  // Through the triangles around the corner, to those that are reached by half a turn or more from where the path comes
+  // from.
+  for (std::uint32_t spoke = visits_[visit].half_edge;;
+       spoke = is_right ? mesh.previousAround(spoke) : mesh.nextAround(spoke)) {
     if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone);
-    const std::uint32_t right_end = mesh.target(spoke);
-    const Orientation side = sideOf(ahead, right_end);
-    if (side == Orientation::kClockwise || (side == Orientation::kCollinear && isAhead(right_end))) {
-      see(visit, TriangleMesh::next(spoke));
-      const bool whole = sideOf(ahead, mesh.apex(spoke)) != Orientation::kCounterClockwise;
-      if (side == Orientation::kClockwise) {
-        push({visit,
-              TriangleMesh::next(spoke),
-              {corner, right_end},
-              whole ? Side{corner, mesh.apex(spoke)} : ahead,
-              true,
-              whole});
-      }
+    const std::uint32_t edge = TriangleMesh::next(spoke);
+    const std::uint32_t far_end = is_right ? mesh.origin(edge) : mesh.target(edge);
+    const std::uint32_t near_end = is_right ? mesh.target(edge) : mesh.origin(edge);
+    if (isReached(ahead, far_end, way)) {
+      see(visit, is_right ? edge : TriangleMesh::next(edge));
+      const Orientation near_side = sideOf(ahead, near_end);
+      const bool whole = near_side == way || near_side == Orientation::kCollinear;
+      const Side outer{corner, far_end};
+      const Side inner = whole ? Side{corner, near_end} : ahead;
+      if (sideOf(ahead, far_end) == way)
+        push({visit, edge, is_right ? outer : inner, is_right ? inner : outer, is_right || whole,
+              !is_right || whole});
     }
-    if (!space_->isOpen(spoke)) return;
+    if (!space_->isOpen(is_right ? spoke : TriangleMesh::previous(spoke))) return;
   }
 }
 
-void PathSearch::turnLeft(std::uint32_t visit, std::uint32_t from)
+bool PathSearch::isReached(const Side& ahead, std::uint32_t index, Orientation way) const
 {
-  const TriangleMesh& mesh = space_->mesh();
-  const std::uint32_t corner = visits_[visit].point;
-  const std::uint32_t before = visits_[visits_[visit].parent].point;
-  const Side ahead{before, corner};
-  const auto isAhead = [&](std::uint32_t p) {
-    return (point(p) - point(corner)).dot(point(corner) - point(before)) > 0.0;
-  };
-  for (std::uint32_t spoke = from;; spoke = mesh.nextAround(spoke)) {
-    if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone);
-    const std::uint32_t left_end = mesh.apex(spoke);
-    const Orientation side = sideOf(ahead, left_end);
-    if (side == Orientation::kCounterClockwise || (side == Orientation::kCollinear && isAhead(left_end))) {
-      see(visit, TriangleMesh::previous(spoke));
-      const bool whole = sideOf(ahead, mesh.target(spoke)) != Orientation::kClockwise;
-      if (side == Orientation::kCounterClockwise) {
-        push({visit,
-              TriangleMesh::next(spoke),
-              whole ? Side{corner, mesh.target(spoke)} : ahead,
-              {corner, left_end},
-              whole,
-              true});
-      }
-    }
-    if (!space_->isOpen(TriangleMesh::previous(spoke))) return;
-  }
+  const Orientation side = sideOf(ahead, index);
+  if (side != Orientation::kCollinear) return side == way;
+  return (point(index) - point(ahead.to)).dot(point(ahead.to) - point(ahead.from)) > 0.0;
 }
 
 Orientation PathSearch::sideOf(const Side& side, std::uint32_t index) const
@@ -228,12 +203,8 @@ bool PathSearch::isTangential(std::uint32_t from, std::uint32_t half_edge) const
 {
   const FreeSpace::Corner& corner = *space_->corner(half_edge);
   const Side ahead{from, space_->mesh().origin(half_edge)};
-  const auto turns = [&](std::uint32_t end, Orientation wanted) {
-    const Orientation side = sideOf(ahead, end);
-    if (side != Orientation::kCollinear) return side == wanted;
-    return (point(end) - point(ahead.to)).dot(point(ahead.to) - point(from)) > 0.0;
-  };
-  return turns(corner.first, Orientation::kClockwise) || turns(corner.last, Orientation::kCounterClockwise);
+  return isReached(ahead, corner.first, Orientation::kClockwise) ||
+         isReached(ahead, corner.last, Orientation::kCounterClockwise);
 }
 
 void PathSearch::reach(std::uint32_t root, std::uint32_t index, std::uint32_t half_edge)

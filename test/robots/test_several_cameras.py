@@ -3,7 +3,6 @@
 import os
 import sys
 import threading
-import time
 import unittest
 
 import cv2
@@ -15,6 +14,7 @@ from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', 'ros'))
 from launched import Launched  # noqa: E402
+from waiting import wait_for  # noqa: E402
 
 from polygonal_perception.msg import FloorPlane, PolygonArray  # noqa: E402
 
@@ -50,14 +50,7 @@ class SeveralCamerasTest(unittest.TestCase):
                     self.poses[transform.header.stamp] = transform.transform
 
     def wait_for(self, condition, what):
-        end = time.monotonic() + DEADLINE
-        with self.condition:
-            while True:
-                result = condition()
-                if result is not None and result is not False:
-                    return result
-                self.assertGreater(end, time.monotonic(), 'waited %.0f s in vain for %s' % (DEADLINE, what))
-                self.condition.wait(0.1)
+        return wait_for(self.condition, condition, what, DEADLINE)
 
     def occupied(self, robot):
         """Centres of the map's occupied cells in odom, and their directions as seen from the robot [rad]."""
@@ -80,7 +73,7 @@ class SeveralCamerasTest(unittest.TestCase):
             turn = directions - 2.0 * np.pi * k / count
             if np.sum(np.abs(np.arctan2(np.sin(turn), np.cos(turn))) < 0.4) < 10:
                 return None
-        return centres
+        return centres.tolist()
 
     def check(self, count, **args):
         self.read('/polygon_map/occupancy_grid', OccupancyGrid)
@@ -92,7 +85,7 @@ class SeveralCamerasTest(unittest.TestCase):
         with Launched('multi_camera.launch', simulation='true', rviz='false', scene='office', input='depth', rate='4', **args):
             self.wait_for(lambda: '/simulated_camera/ground_truth/obstacles' in self.got, 'the truth')
             self.wait_for(lambda: all('/%s/floor' % name in self.got for name in names), 'a floor of each camera')
-            centres = self.wait_for(lambda: self.sees_all_around(count), '%d cameras\' obstacles in one map' % count)
+            centres = np.array(self.wait_for(lambda: self.sees_all_around(count), '%d cameras\' obstacles in one map' % count))
             for name in names:
                 floor = self.got['/%s/floor' % name]
                 self.assertEqual(floor.header.frame_id, name + '_camera_depth_optical_frame')

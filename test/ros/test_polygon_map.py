@@ -23,9 +23,9 @@ from launched import program
 from map_client import observation, transform
 from polygonal_perception.msg import FloorPlane, ObservedCells, PolygonArray
 from polygonal_perception.srv import MapFile
+from waiting import DEADLINE, wait_for
 
 OUTPUTS = {'occupancy_grid': OccupancyGrid, 'observed_grid': OccupancyGrid, 'inflated_grid': OccupancyGrid, 'polygons': PolygonArray}
-DEADLINE = 20.0  # [s]
 
 
 class PolygonMapTest(unittest.TestCase):
@@ -61,15 +61,7 @@ class PolygonMapTest(unittest.TestCase):
 
     @classmethod
     def wait_for(cls, condition, what):
-        end = time.monotonic() + DEADLINE
-        with cls.condition:
-            while True:
-                result = condition()
-                if result:
-                    return result
-                if time.monotonic() > end:
-                    raise AssertionError('waited %.0f s in vain for %s; the log: %s' % (DEADLINE, what, cls.logs[-5:]))
-                cls.condition.wait(0.05)
+        return wait_for(cls.condition, condition, what, seen=lambda: '; the log: %s' % cls.logs[-5:])
 
     def setUp(self):
         self.clear()

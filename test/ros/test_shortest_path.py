@@ -18,8 +18,8 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from launched import program
 from polygonal_perception.msg import FloorPlane, ObstaclePolygon, PlanStatus, PolygonArray
+from waiting import DEADLINE, wait_for
 
-DEADLINE = 20.0  # [s]
 NODE = '/shortest_path'
 BOX = ((1.0, -1.0), (2.0, -1.0), (2.0, 3.0), (1.0, 3.0))
 EXTENT = ((-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0))
@@ -80,31 +80,25 @@ class ShortestPathTest(unittest.TestCase):
 
     @classmethod
     def wait_for(cls, condition, what):
-        end = time.monotonic() + DEADLINE
-        with cls.condition:
-            while True:
-                result = condition()
-                if result:
-                    return result
-                if time.monotonic() > end:
-                    raise AssertionError('waited %.0f s in vain for %s' % (DEADLINE, what))
-                cls.condition.wait(0.05)
+        return wait_for(cls.condition, condition, what)
 
     def tick(self):
         ShortestPathTest.stamp += rospy.Duration(1.0)
         return ShortestPathTest.stamp
 
-    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', extent=EXTENT):
+    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', extent=EXTENT, stamp=None):
         """Sends polygons and the robot's place, and returns the answers to them."""
-        stamp = self.tick()
+        stamp = stamp or self.tick()
         if robot:
             self.tf.publish(TFMessage([transform('odom', 'base_link', *robot, stamp=stamp)]))
         message = PolygonArray(floor_status=status, inflation_radius=0.3, extent=polygon(extent))
         message.header.stamp, message.header.frame_id = stamp, frame
         message.polygons = [ObstaclePolygon(boundary=polygon(box)) for box in boxes]
         self.polygons.publish(message)
-        return self.wait_for(lambda: len(self.answers.get(stamp.to_nsec(), {})) == 3 and self.answers[stamp.to_nsec()],
-                             'path, status and markers; there are %s' % sorted(self.answers.get(stamp.to_nsec(), {})))
+        answers = self.answers.setdefault(stamp.to_nsec(), {})
+        wait_for(self.condition, lambda: len(answers) == 3, 'path, status and markers',
+                 seen=lambda: '; there are %s' % sorted(answers))
+        return answers
 
     def send_goal(self, publisher, message, wanted):
         """Until the node has it: it says so in the path's end."""
@@ -179,6 +173,22 @@ class ShortestPathTest(unittest.TestCase):
             self.assertIn(text, answer['status'].message)
             self.assertEqual(answer['path'].poses, [])
         self.assertEqual(self.ask()['status'].status, PlanStatus.OK)
+
+    def test_71_a_stamp_at_the_end_of_its_range_ends_nothing(self):
+        # tf's error has how far it is away, which no ros::Duration holds.
+        self.send_goal(self.goal, pose(3.0, 0.0), (3.0, 0.0))
+        answer = self.ask(robot=None, stamp=rospy.Time(2 ** 32 - 1, 999999999))
+        self.assertEqual(answer['status'].status, PlanStatus.START_BLOCKED, answer['status'])
+        self.assertIn("from 'base_link' to 'odom'", answer['status'].message)
+        self.assertEqual(self.ask()['status'].status, PlanStatus.OK)
+
+    def test_72_time_that_jumps_back_begins_anew(self):
+        self.send_goal(self.goal, pose(3.0, 0.0), (3.0, 0.0))
+        ShortestPathTest.stamp -= rospy.Duration(60.0)
+        self.ask()
+        self.assertEqual(self.ask()['status'].status, PlanStatus.NO_GOAL, 'after two of another time')
+        # tf takes nothing that is older until it has been cleared.
+        self.send_goal(self.goal, pose(3.0, 0.0), (3.0, 0.0))
 
     def test_8_make_plan(self):
         self.ask()

@@ -26,7 +26,8 @@ struct TriangulationFault
 class POLYGONAL_PERCEPTION_EXPORT ConstrainedTriangulation
 {
 public:
-  /// How far the square reaches beyond the polygons, as a multiple of their extent, and at least [m].
+  /// How far the square reaches beyond the polygons, as a multiple of their extent, and at least [m]: so far that a robot is
+  /// in it whatever it sees. The distance costs nothing, for signs are exact.
   static constexpr double kMargin = 100.0;
   static constexpr double kLeastMargin = 1000.0;
   /// The mesh's first vertices are the square's corners.

@@ -90,8 +90,11 @@ public:
     const std::uint32_t index = corner_of_[half_edge];
     return index == geometry::TriangleMesh::kNone ? nullptr : &corners_[index];
   }
-  /// What the mesh covers [m].
-  const Eigen::AlignedBox2d& box() const { return box_; }
+  /// Whether a point lies inside the square that the mesh covers. NaN does not.
+  bool covers(const Eigen::Vector2d& point) const
+  {
+    return (point.array() > box_.min().array()).all() && (point.array() < box_.max().array()).all();
+  }
 
 private:
   bool findDepths(std::int32_t outside);
@@ -108,7 +111,7 @@ private:
   std::vector<std::uint32_t> corner_of_;  // of each half-edge
   std::vector<std::uint32_t> queue_;
 
-  // Half-edges near the middle of each cell of a grid over the polygons, to begin a walk with.
+  // For each cell of a grid over the polygons a half-edge near it, to begin a walk with.
   Eigen::AlignedBox2d grid_box_;
   double cell_size_ = 1.0;  // [m]
   std::uint32_t columns_ = 0;

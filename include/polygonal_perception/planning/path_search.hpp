@@ -85,8 +85,10 @@ private:
   void markGoal(const FreePlace& goal);
   void expandStart(const FreePlace& start);
   void expandCorner(std::uint32_t visit);
-  void turnRight(std::uint32_t visit, std::uint32_t from);
-  void turnLeft(std::uint32_t visit, std::uint32_t from);
+  /// What is seen from a corner by who bends there to the right (clockwise) or to the left.
+  void turn(std::uint32_t visit, geometry::Orientation way);
+  /// Whether a neighbour of a corner lies straight ahead of who comes to it, or to the side of that turn.
+  bool isReached(const Side& ahead, std::uint32_t point, geometry::Orientation way) const;
   /// Follows a cone beyond its edge, as long as it stays one.
   void follow(Cone cone);
   /// The cone's root sees a point of the triangle of `half_edge`, which begins in it.

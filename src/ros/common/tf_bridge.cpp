@@ -1,7 +1,6 @@
 #include "polygonal_perception/ros/common/tf_bridge.hpp"
 
-#include <tf2/exceptions.h>
-
+#include <exception>
 #include <sstream>
 
 namespace polygonal_perception::ros_common {
@@ -23,7 +22,8 @@ Expected<Eigen::Isometry3d> TfBridge::lookup(const std::string& target, const st
     if (result.matrix().allFinite()) return result;
     return Expected<Eigen::Isometry3d>::failure("the transform from '" + source + "' to '" + target +
                                                 "' is not finite");
-  } catch (const tf2::TransformException& reason) {
+  } catch (const std::exception& reason) {
+    // tf2's own, and what ros::Duration throws in tf2 where a stamp is farther away than 68 years.
     std::ostringstream text;
     text << "no transform from '" << source << "' to '" << target << "' at " << stamp << ": "
          << reason.what();

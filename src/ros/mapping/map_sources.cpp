@@ -12,16 +12,6 @@ namespace polygonal_perception::ros_mapping {
 
 using parameters::numberText;
 
-namespace {
-
-/// Whether a stamp is older than another one by more than some seconds. A sum of stamps throws at the end of their range.
-bool isOlder(const ros::Time& stamp, const ros::Time& other, double seconds)
-{
-  return other.toSec() - stamp.toSec() > seconds;
-}
-
-}  // namespace
-
 MapSources::MapSources(const std::vector<std::string>& names)
 {
   for (const std::string& name : names) {
@@ -31,26 +21,15 @@ MapSources::MapSources(const std::vector<std::string>& names)
   }
 }
 
-bool MapSources::jumpsBack(std::size_t index, const ros::Time& stamp)
-{
-  // A driver's stamps may be some frames out of order, but not by so much.
-  constexpr double kJump = 1.0;  // [s]
-  Source& source = sources_[index];
-  const bool is_old = isOlder(stamp, source.last_stamp, kJump);
-  const bool jumps = is_old && !source.old_stamp.isZero() && stamp > source.old_stamp;
-  source.old_stamp = is_old ? stamp : ros::Time();
-  return jumps;
-}
-
 bool MapSources::mayClear(std::size_t index, const ros::Time& stamp, std::uint8_t floor_status,
                           double max_delay, Clock::time_point now)
 {
   Source& source = sources_[index];
-  const bool is_repeated = stamp <= source.last_stamp;
-  source.is_late = isOlder(stamp, newest_, max_delay);
+  const bool is_repeated = stamp <= source.stamps.newest();
+  source.is_late = ros_common::isOlder(stamp, newest_, max_delay);
   source.floor_status = floor_status;
   source.last_arrival = now;
-  source.last_stamp = std::max(source.last_stamp, stamp);
+  source.stamps.take(stamp);
   newest_ = std::max(newest_, stamp);
   return floor_status == FloorPlane::FOUND && !source.is_late && !is_repeated;
 }
@@ -65,7 +44,7 @@ void MapSources::setFloor(std::size_t source, const std::optional<Eigen::Isometr
 
 void MapSources::reset()
 {
-  for (Source& source : sources_) source.last_stamp = source.old_stamp = ros::Time();
+  for (Source& source : sources_) source.stamps.reset();
   newest_ = ros::Time();
 }
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "polygonal_perception/ros/common/stamp_order.hpp"
+
 namespace polygonal_perception::ros_mapping {
 
 /// What is known of each sensor that a map is made from: whether it is silent, late or without a floor, and where its
@@ -21,9 +23,11 @@ public:
 
   explicit MapSources(const std::vector<std::string>& names);
 
-  /// Whether an observation of that stamp means that time has jumped back: everything before is of another time. It takes
-  /// two in a row that are old, for one may have been under way for long.
-  bool jumpsBack(std::size_t source, const ros::Time& stamp);
+  /// Whether an observation of that stamp means that time has jumped back: everything before is of another time.
+  bool jumpsBack(std::size_t source, const ros::Time& stamp)
+  {
+    return sources_[source].stamps.jumpsBack(stamp);
+  }
 
   /// Notes an observation that has come in.
   /// @param max_delay  [s] by which it may be older than the newest one
@@ -49,8 +53,7 @@ private:
   struct Source
   {
     std::string name;
-    ros::Time last_stamp;
-    ros::Time old_stamp;  // of the last observation, if it was old
+    ros_common::StampOrder stamps;
     std::optional<Clock::time_point> last_arrival;
     std::uint8_t floor_status = 0;
     bool is_late = false;

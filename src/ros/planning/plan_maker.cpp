@@ -2,7 +2,6 @@
 
 #include <polygonal_perception/PlanStatus.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -94,13 +93,20 @@ bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
     log_.error("frame", error);
     return true;
   }
+  const ros::Time& stamp = polygons->header.stamp;
+  if (stamps_.jumpsBack(stamp)) resetTime("stamps of the polygons");
   if (polygons_ != polygons) {
     polygons_ = polygons;
     are_taken_in_ = false;
   }
-  newest_ = std::max(newest_, polygons->header.stamp);
   plan_ = planning::Plan();
-  if (!goal_ || !outputs_.hasReaders()) {
+  if (!outputs_.hasReaders()) {
+    stamps_.take(stamp);
+    statistics_.answered(times_, Clock::duration::zero());
+    return true;
+  }
+  if (!goal_) {
+    stamps_.take(stamp);
     publish(PlanStatus::NO_GOAL, "no goal has been given");
     return true;
   }
@@ -110,6 +116,7 @@ bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
     refuse(PlanStatus::START_BLOCKED, "tf", robot.error());
     return true;
   }
+  stamps_.take(stamp);
   fixGoal();
   const auto goal = placeOf(*goal_);
   if (!goal) {
@@ -120,9 +127,9 @@ bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
     refuse(PlanStatus::NO_POLYGONS, "polygons", error);
     return true;
   }
-  const auto start = Clock::now();
+  const auto begin = Clock::now();
   planner_.makePlan(robot->point, goal->point, parameters_.goal_tolerance, plan_);
-  times_.search = Clock::now() - start;
+  times_.search = Clock::now() - begin;
   goal_yaw_ = goal->yaw;
   publish(statusOf(plan_.outcome), textOf(plan_));
   return true;
@@ -182,7 +189,7 @@ void PlanMaker::fixGoal()
   if (is_goal_fixed_) return;
   const ros::Time& stamp = goal_->header.stamp;
   const auto transform =
-      tf_.lookup(parameters_.fixed_frame, goal_->header.frame_id, stamp.isZero() ? newest_ : stamp);
+      tf_.lookup(parameters_.fixed_frame, goal_->header.frame_id, stamp.isZero() ? newestStamp() : stamp);
   if (!transform) return;
   const Eigen::Isometry3d pose = *transform * toIsometry(goal_->pose);
   goal_->header.frame_id = parameters_.fixed_frame;
@@ -250,7 +257,7 @@ void PlanMaker::resetTime(const std::string& reason)
   tf_.clear();
   goal_.reset();
   polygons_.reset();
-  newest_ = ros::Time();
+  stamps_.reset();
 }
 
 }  // namespace polygonal_perception::ros_planning

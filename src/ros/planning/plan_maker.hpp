@@ -11,6 +11,7 @@
 #include "polygonal_perception/planning/path_planner.hpp"
 #include "polygonal_perception/ros/common/expected.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
+#include "polygonal_perception/ros/common/stamp_order.hpp"
 #include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "polygonal_perception/ros/common/throttled_log.hpp"
 #include "ros/planning/plan_outputs.hpp"
@@ -58,7 +59,7 @@ public:
   void configure(const ShortestPathParameters& parameters);
   /// Time has jumped back: forgets the transforms, the goal and the polygons.
   void resetTime(const std::string& reason);
-  const ros::Time& newestStamp() const { return newest_; }
+  const ros::Time& newestStamp() const { return stamps_.newest(); }
 
 private:
   /// Where something is in the polygons' frame.
@@ -90,7 +91,7 @@ private:
   planning::Plan plan_;
   std::optional<double> goal_yaw_;
   PlanTimes times_;
-  ros::Time newest_;
+  ros_common::StampOrder stamps_;
 };
 
 }  // namespace polygonal_perception::ros_planning

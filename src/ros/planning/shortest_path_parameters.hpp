@@ -20,7 +20,7 @@ struct ShortestPathParameters
   std::string robot_frame = "base_link";
   std::string fixed_frame = "odom";
   double tf_timeout = 0.1;  ///< [s]
-  /// A person who clicks means the place, not the millimetre; a robot of 0.3 m radius still touches what it was sent to.
+  /// As far as polygons have grown by default (robot_radius): a goal at a wall becomes the nearest point before it.
   double goal_tolerance = 0.3;  ///< [m]
   std::string outside = "free";
 
