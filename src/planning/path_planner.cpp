@@ -36,7 +36,7 @@ void PathPlanner::makePlan(const Eigen::Vector2d& start, const Eigen::Vector2d& 
                            Plan& plan)
 {
   plan.path.clear();
-  plan.length = plan.start_shift = plan.goal_shift = 0.0;
+  plan.length = plan.start_shift = plan.goal_shift = plan.detour = 0.0;
   const auto finish = [&plan](PlanOutcome outcome) { plan.outcome = outcome; };
   if (!has_obstacles_) return finish(PlanOutcome::kNoPolygons);
   if (isOutside(start) || isOutside(goal)) return finish(PlanOutcome::kOutside);
@@ -54,11 +54,33 @@ void PathPlanner::makePlan(const Eigen::Vector2d& start, const Eigen::Vector2d& 
   plan.goal_shift = (to->point - goal).norm();
   if (!isConnected(*from, *to)) return finish(PlanOutcome::kUnreachable);
 
-  const std::optional<double> length = search_.plan(*from, *to, plan.path);
+  start_ = *from;
+  goal_ = *to;
+  const std::optional<double> length = search_.plan(start_, goal_, free_path_);
   if (!length) return finish(PlanOutcome::kUnreachable);
   plan.length = *length + plan.start_shift;
-  if (!start_is_free) plan.path.insert(plan.path.begin(), start);
+  if (!start_is_free) plan.path.push_back(start);
+  plan.path.insert(plan.path.end(), free_path_.begin(), free_path_.end());
   finish(PlanOutcome::kOk);
+}
+
+void PathPlanner::keepSide(double share, std::vector<Eigen::Vector2d>& guide, Plan& plan)
+{
+  // Of two paths with the same corners the lengths may differ in the last digits.
+  constexpr double kSame = 1e-9;
+  if (plan.outcome != PlanOutcome::kOk) return;
+  const double rest = plan.length - plan.start_shift;
+  const auto kept = side_keeper_.follow(space_, start_, goal_, guide, kept_path_, kept_sleeve_);
+  if (!kept || rest < (1.0 - share) * *kept || *kept < (1.0 + kSame) * rest) {
+    search_.sleeve(sleeve_);
+    SideKeeper::makeGuide(space_.mesh(), sleeve_, free_path_, guide);
+    return;
+  }
+  plan.path.resize(plan.path.size() - free_path_.size());
+  plan.path.insert(plan.path.end(), kept_path_.begin(), kept_path_.end());
+  plan.detour = *kept - rest;
+  plan.length = *kept + plan.start_shift;
+  SideKeeper::makeGuide(space_.mesh(), kept_sleeve_, kept_path_, guide);
 }
 
 std::optional<FreePlace> PathPlanner::besideGoal(const Eigen::Vector2d& goal, double tolerance,

@@ -40,7 +40,9 @@ std::optional<double> PathSearch::plan(const FreePlace& start, const FreePlace& 
   touched_.clear();
   visits_.clear();
   cones_.clear();
+  crossings_.clear();
   queue_.clear();
+  reached_ = kNone;
   expanded_corners_ = crossed_triangles_ = 0;
   points_[start_] = start.point;
   points_[goal_] = goal.point;
@@ -59,7 +61,10 @@ std::optional<double> PathSearch::plan(const FreePlace& start, const FreePlace& 
     }
     const Visit& visit = visits_[next.index];
     if (visit.length > best_[visit.point]) continue;
-    if (visit.point == goal_) return read(next.index, path);
+    if (visit.point == goal_) {
+      reached_ = next.index;
+      return read(next.index, path);
+    }
     expandCorner(next.index);
   }
   return std::nullopt;
@@ -79,17 +84,18 @@ void PathSearch::expandStart(const FreePlace& start)
 {
   best_[start_] = 0.0;
   touched_.push_back(start_);
-  visits_.push_back({start_, kNone, kNone, 0.0});
+  visits_.push_back({start_, kNone, kNone, kNone, 0.0});
   space_->forEachTriangleAt(start, [&](std::uint32_t first) {
     const TriangleMesh& mesh = space_->mesh();
-    if (has_goal_[TriangleMesh::triangleOf(first)] != 0) reach(0, goal_, kNone);
+    const std::uint32_t beginning = cross(first, kNone);
+    if (has_goal_[TriangleMesh::triangleOf(first)] != 0) reach(0, goal_, kNone, beginning);
     std::uint32_t edge = first;
     for (int i = 0; i < 3; ++i, edge = TriangleMesh::next(edge)) {
-      see(0, edge);
+      see(0, edge, beginning);
       // Not through an edge on which the start lies, nor through one that ends in it.
       if (i == 0 && start.on_edge) continue;
       if (i == 2 && start.at_origin) continue;
-      push({0, edge, {start_, mesh.origin(edge)}, {start_, mesh.target(edge)}});
+      push({0, edge, beginning, {start_, mesh.origin(edge)}, {start_, mesh.target(edge)}});
     }
   });
 }
@@ -109,23 +115,26 @@ void PathSearch::turn(std::uint32_t visit, Orientation way)
   const Side ahead{visits_[visits_[visit].parent].point, corner};
   // Through the triangles around the corner, to those that are reached by half a turn or more from where the path comes
   // from.
-  for (std::uint32_t spoke = visits_[visit].half_edge;;
-       spoke = is_right ? mesh.previousAround(spoke) : mesh.nextAround(spoke)) {
-    if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone);
+  std::uint32_t crossing = visits_[visit].crossing;
+  for (std::uint32_t spoke = visits_[visit].half_edge;;) {
+    if (has_goal_[TriangleMesh::triangleOf(spoke)] != 0) reach(visit, goal_, kNone, crossing);
     const std::uint32_t edge = TriangleMesh::next(spoke);
     const std::uint32_t far_end = is_right ? mesh.origin(edge) : mesh.target(edge);
     const std::uint32_t near_end = is_right ? mesh.target(edge) : mesh.origin(edge);
     if (isReached(ahead, far_end, way)) {
-      see(visit, is_right ? edge : TriangleMesh::next(edge));
+      see(visit, is_right ? edge : TriangleMesh::next(edge), crossing);
       const Orientation near_side = sideOf(ahead, near_end);
       const bool whole = near_side == way || near_side == Orientation::kCollinear;
       const Side outer{corner, far_end};
       const Side inner = whole ? Side{corner, near_end} : ahead;
       if (sideOf(ahead, far_end) == way)
-        push({visit, edge, is_right ? outer : inner, is_right ? inner : outer, is_right || whole,
+        push({visit, edge, crossing, is_right ? outer : inner, is_right ? inner : outer, is_right || whole,
               !is_right || whole});
     }
-    if (!space_->isOpen(is_right ? spoke : TriangleMesh::previous(spoke))) return;
+    const std::uint32_t side = is_right ? spoke : TriangleMesh::previous(spoke);
+    if (!space_->isOpen(side)) return;
+    crossing = cross(side, crossing);
+    spoke = is_right ? mesh.previousAround(spoke) : mesh.nextAround(spoke);
   }
 }
 
@@ -146,6 +155,7 @@ void PathSearch::follow(Cone cone)
   const TriangleMesh& mesh = space_->mesh();
   for (;;) {
     ++crossed_triangles_;
+    cone.crossing = cross(cone.half_edge, cone.crossing);
     const std::uint32_t beyond = mesh.twin(cone.half_edge);
     if (has_goal_[TriangleMesh::triangleOf(beyond)] != 0) seeGoal(cone);
     const std::uint32_t apex = mesh.apex(beyond);
@@ -165,7 +175,7 @@ void PathSearch::follow(Cone cone)
       right.has_left_end = false;
     } else {
       const std::uint32_t root = visits_[cone.root].point;
-      see(cone.root, TriangleMesh::previous(beyond));
+      see(cone.root, TriangleMesh::previous(beyond), cone.crossing);
       right.left = left.right = {root, apex};
       right.has_left_end = left.has_right_end = true;
       // A cone without a width shows nothing that its corners do not see.
@@ -186,17 +196,17 @@ void PathSearch::seeGoal(const Cone& cone)
 {
   if (sideOf(cone.right, goal_) == Orientation::kClockwise) return;
   if (sideOf(cone.left, goal_) == Orientation::kCounterClockwise) return;
-  reach(cone.root, goal_, kNone);
+  reach(cone.root, goal_, kNone, cone.crossing);
 }
 
-void PathSearch::see(std::uint32_t root, std::uint32_t half_edge)
+void PathSearch::see(std::uint32_t root, std::uint32_t half_edge, std::uint32_t crossing)
 {
   const std::uint32_t vertex = space_->mesh().origin(half_edge);
   const std::uint32_t from = visits_[root].point;
   if (has_goal_[TriangleMesh::triangleOf(half_edge)] != 0 && point(vertex) == point(goal_))
-    reach(root, goal_, kNone);
+    reach(root, goal_, kNone, crossing);
   if (space_->corner(half_edge) == nullptr || point(vertex) == point(from)) return;
-  if (isTangential(from, half_edge)) reach(root, vertex, half_edge);
+  if (isTangential(from, half_edge)) reach(root, vertex, half_edge, crossing);
 }
 
 bool PathSearch::isTangential(std::uint32_t from, std::uint32_t half_edge) const
@@ -207,16 +217,23 @@ bool PathSearch::isTangential(std::uint32_t from, std::uint32_t half_edge) const
          isReached(ahead, corner.last, Orientation::kCounterClockwise);
 }
 
-void PathSearch::reach(std::uint32_t root, std::uint32_t index, std::uint32_t half_edge)
+void PathSearch::reach(std::uint32_t root, std::uint32_t index, std::uint32_t half_edge,
+                       std::uint32_t crossing)
 {
   const double length = visits_[root].length + (point(index) - point(visits_[root].point)).norm();
   if (length >= best_[index]) return;
   if (best_[index] == kInfinity) touched_.push_back(index);
   best_[index] = length;
-  visits_.push_back({index, root, half_edge, length});
+  visits_.push_back({index, root, half_edge, crossing, length});
   queue_.push_back(
       {length + (point(goal_) - point(index)).norm(), static_cast<std::uint32_t>(visits_.size() - 1), false});
   std::push_heap(queue_.begin(), queue_.end());
+}
+
+std::uint32_t PathSearch::cross(std::uint32_t half_edge, std::uint32_t before)
+{
+  crossings_.push_back({half_edge, before});
+  return static_cast<std::uint32_t>(crossings_.size() - 1);
 }
 
 void PathSearch::push(const Cone& cone)
@@ -251,6 +268,17 @@ double PathSearch::read(std::uint32_t visit, std::vector<Eigen::Vector2d>& path)
     path.push_back(point(visits_[at].point));
   std::reverse(path.begin(), path.end());
   return length;
+}
+
+void PathSearch::sleeve(Sleeve& sleeve) const
+{
+  sleeve.crossed.clear();
+  if (reached_ == kNone) return;
+  std::uint32_t at = visits_[reached_].crossing;
+  for (; crossings_[at].before != kNone; at = crossings_[at].before)
+    sleeve.cross(crossings_[at].half_edge, space_->mesh());
+  sleeve.first = crossings_[at].half_edge;
+  std::reverse(sleeve.crossed.begin(), sleeve.crossed.end());
 }
 
 void PathSearch::seenEdges(std::vector<SeenEdge>& edges) const

@@ -139,5 +139,93 @@ TEST_F(PathPlannerTest, WhereEverythingIsBlockedTheStartIs)
   EXPECT_EQ(plan({0, 0}, {1, 0}).outcome, PlanOutcome::kStartBlocked);
 }
 
+/// Plans one after the other, each on the last one's side of obstacles.
+class KeepSideTest : public PathPlannerTest
+{
+protected:
+  /// The point of the path farthest from the line y = 0, with its sign.
+  double side(const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double share = 0.1)
+  {
+    planner_.makePlan(start, goal, 0.3, plan_);
+    EXPECT_EQ(plan_.outcome, PlanOutcome::kOk);
+    planner_.keepSide(share, guide_, plan_);
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < plan_.path.size(); ++i)
+      length += (plan_.path[i + 1] - plan_.path[i]).norm();
+    EXPECT_NEAR(plan_.length, length, 1e-12);
+    EXPECT_EQ(plan_.path.front(), start);
+    const auto farther = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      return std::abs(a.y()) < std::abs(b.y());
+    };
+    return std::max_element(plan_.path.begin(), plan_.path.end(), farther)->y();
+  }
+
+  std::vector<Eigen::Vector2d> guide_;
+};
+
+TEST_F(KeepSideTest, OnlyAWayThatIsShorterByTheShareIsTakenInstead)
+{
+  setBoxes({box(-0.5, -1, 0.5, 1)});
+  EXPECT_EQ(side({-2, 0.1}, {2, 0}), 1.0);
+  EXPECT_EQ(plan_.detour, 0.0);
+  EXPECT_EQ(side({-2, -0.1}, {2, 0}), 1.0) << "the other side is shorter by 2 per cent";
+  EXPECT_NEAR(plan_.detour, std::hypot(1.5, 1.1) - std::hypot(1.5, 0.9), 1e-12);
+  EXPECT_EQ(side({-2, -0.1}, {2, 0}, 0.01), -1.0);
+  EXPECT_EQ(plan_.detour, 0.0);
+  EXPECT_EQ(side({-2, 0.1}, {2, 0}), -1.0);
+  EXPECT_EQ(side({-2, 1}, {2, 0}), 1.0) << "the other side is shorter by 17 per cent";
+}
+
+TEST_F(KeepSideTest, WithoutAShareEachPlanIsTheShortest)
+{
+  setBoxes({box(-0.5, -1, 0.5, 1)});
+  EXPECT_EQ(side({-2, 0.01}, {2, 0}, 0.0), 1.0);
+  EXPECT_EQ(side({-2, -0.01}, {2, 0}, 0.0), -1.0);
+}
+
+TEST_F(KeepSideTest, ASideThatIsBlockedIsLeft)
+{
+  setBoxes({box(-0.5, -1, 0.5, 1), box(-5, 2, 5, 2.5)}, false);
+  EXPECT_EQ(side({-2, 0.1}, {2, 0}), 1.0);
+  setBoxes({box(-0.5, -1, 0.5, 2.2), box(-5, 2, 5, 2.5)}, false);
+  EXPECT_EQ(side({-2, 0.1}, {2, 0}), -1.0);
+}
+
+TEST_F(KeepSideTest, ObstaclesMayMoveByMoreThanTheGuideIsClearOfThem)
+{
+  const Eigen::Vector2d start(-3, 0);
+  setBoxes({box(-0.5, -1, 0.5, 1)});
+  ASSERT_EQ(side(start, {3, 0.001}), 1.0);
+  setBoxes({box(-0.5, -1, 0.5, 1.4)});
+  EXPECT_EQ(side(start, {3, 0.001}), 1.4);
+  setBoxes({box(-0.8, -1, 0.2, 0.9)});
+  EXPECT_EQ(side(start, {3, 0}), 0.9);
+  setBoxes({box(-0.6, -1, 0.6, 1), box(-0.1, 1.2, 0.1, 1.6)});
+  EXPECT_EQ(side(start, {3, 0}), 1.0) << "between both";
+  setBoxes({box(-0.5, -1, 0.5, 1), box(-0.5, -1.6, 0.5, -1.1)});
+  EXPECT_EQ(side(start, {3, 0}), 1.0);
+}
+
+TEST_F(KeepSideTest, ARobotThatIsUnderWayKeepsItsSideOfWhatIsAhead)
+{
+  setBoxes({box(-0.5, -1, 0.5, 1), box(3, -1, 4, 1.05)});
+  ASSERT_EQ(side({-2, 0.1}, {6, 0}), 1.05);
+  EXPECT_EQ(side({-0.5, 1}, {6, 0}), 1.05);
+  EXPECT_EQ(side({1, 0}, {6, 0}), 1.05) << "away from the path";
+  EXPECT_GT(plan_.detour, 0.0);
+  EXPECT_EQ(side({4, 1.05}, {6, 0}), 1.05);
+  EXPECT_EQ(side({6, 0}, {6, 0}), 0.0);
+}
+
+TEST_F(KeepSideTest, AStartInAnObstacleLeavesItFirst)
+{
+  setBoxes({box(-0.5, -1, 0.5, 1)});
+  ASSERT_EQ(side({-0.4, 0.1}, {2, 0}), 1.0);
+  EXPECT_EQ(side({-0.4, -0.1}, {2, 0}), 1.0);
+  EXPECT_NEAR(plan_.start_shift, 0.1, 1e-12);
+  EXPECT_TRUE(plan_.path[1].isApprox(Eigen::Vector2d(-0.5, -0.1))) << plan_.path[1].transpose();
+  EXPECT_GT(plan_.detour, 0.0);
+}
+
 }  // namespace
 }  // namespace polygonal_perception::planning

@@ -100,12 +100,12 @@ class ShortestPathTest(unittest.TestCase):
                  seen=lambda: '; there are %s' % sorted(answers))
         return answers
 
-    def send_goal(self, publisher, message, wanted):
+    def send_goal(self, publisher, message, wanted, boxes=(BOX,)):
         """Until the node has it: it says so in the path's end."""
         publisher.publish(message)
         end = time.monotonic() + DEADLINE
         while time.monotonic() < end:
-            answer = self.ask()
+            answer = self.ask(boxes)
             if answer['path'].poses and corners(answer['path'])[-1] == wanted:
                 return answer
         raise AssertionError('no path ends in %s, but in %s' % (wanted, corners(answer['path'])[-1:]))
@@ -189,6 +189,32 @@ class ShortestPathTest(unittest.TestCase):
         self.assertEqual(self.ask()['status'].status, PlanStatus.NO_GOAL, 'after two of another time')
         # tf takes nothing that is older until it has been cleared.
         self.send_goal(self.goal, pose(3.0, 0.0), (3.0, 0.0))
+
+    def test_73_the_side_of_an_obstacle_is_kept(self):
+        box = ((1.0, -1.0), (2.0, -1.0), (2.0, 1.0), (1.0, 1.0))
+
+        def second(robot, frame='odom'):
+            """The path's first corner after the robot, in odom."""
+            x, y, yaw = robot if frame == 'base_link' else (0.0, 0.0, 0.0)
+            c, s = math.cos(yaw), math.sin(yaw)
+            moved = [(c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)) for px, py in box]
+            answer = self.ask(boxes=(moved,), robot=robot, frame=frame)
+            px, py = corners(answer['path'])[1]
+            return answer, (round(x + c * px - s * py, 4), round(y + s * px + c * py, 4))
+        self.send_goal(self.goal, pose(3.0, 0.0), (3.0, 0.0))
+        self.send_goal(self.goal, pose(3.1, 0.4), (3.1, 0.4))
+        self.assertEqual(second((0.0, 0.1, 0.0))[1], (1.0, 1.0))
+        answer, corner = second((0.0, -0.5, 0.0))
+        self.assertEqual(corner, (1.0, 1.0), 'the other is a little shorter')
+        self.assertIn('longer than the shortest to stay on its side', answer['status'].message)
+        plan = self.make_plan(pose(0.0, -0.5), pose(3.1, 0.4), 0.0).plan
+        self.assertEqual(corners(plan)[1], (1.0, -1.0), 'a plan by itself is the shortest')
+        for yaw in (0.3, 1.0):
+            self.assertEqual(second((0.0, -0.5, yaw), 'base_link')[1], (1.0, 1.0))
+        self.assertEqual(second((0.0, -0.8, 0.0))[1], (1.0, -1.0), 'much shorter')
+        self.send_goal(self.goal, pose(3.0, -1.5), (3.0, -1.5), (box,))
+        answer = self.send_goal(self.goal, pose(3.0, 0.1), (3.0, 0.1), (box,))
+        self.assertEqual(corners(answer['path'])[1], (1.0, 1.0), 'of another goal nothing is kept')
 
     def test_8_make_plan(self):
         self.ask()

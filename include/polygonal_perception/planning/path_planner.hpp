@@ -9,6 +9,7 @@
 #include "polygonal_perception/geometry/polygon_set.hpp"
 #include "polygonal_perception/planning/free_space.hpp"
 #include "polygonal_perception/planning/path_search.hpp"
+#include "polygonal_perception/planning/side_keeper.hpp"
 
 namespace polygonal_perception::planning {
 
@@ -33,6 +34,7 @@ struct Plan
   double length = 0.0;       ///< [m] of it
   double start_shift = 0.0;  ///< [m] from the start to where it leaves the obstacle that contains it
   double goal_shift = 0.0;   ///< [m] from the goal to the point that is reached
+  double detour = 0.0;  ///< [m] by which it is longer than the shortest, to keep to its side of obstacles
 };
 
 /// Shortest paths among obstacles for everything that a robot meets: ends in obstacles, beyond the map, without a way.
@@ -53,6 +55,15 @@ public:
   /// @param plan            replaced
   void makePlan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double goal_tolerance, Plan& plan);
 
+  /// Makes the last plan one that passes each obstacle on the side on which an earlier one did, unless the way there is
+  /// blocked or a plan of another kind is shorter by more than a share: a robot that plans anew in each frame would go to and
+  /// fro before two ways of the same length.
+  ///
+  /// @param share  0: the plan stays the shortest
+  /// @param guide  [m] of the earlier plan, or empty; replaced by that of this one, for the next
+  /// @param plan   as makePlan has left it
+  void keepSide(double share, std::vector<Eigen::Vector2d>& guide, Plan& plan);
+
   /// Of the last plan, for pictures.
   const PathSearch& search() const { return search_; }
 
@@ -70,6 +81,13 @@ private:
   geometry::PolygonSet bounded_;  // the obstacles, and the extent as a hole in what else is blocked
   FreeSpace space_;
   PathSearch search_;
+  FreePlace start_;  // of the last plan, both free
+  FreePlace goal_;
+  SideKeeper side_keeper_;
+  std::vector<Eigen::Vector2d> free_path_;  // from start_ to goal_
+  std::vector<Eigen::Vector2d> kept_path_;
+  Sleeve sleeve_;
+  Sleeve kept_sleeve_;
 };
 
 }  // namespace polygonal_perception::planning

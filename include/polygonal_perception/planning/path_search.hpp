@@ -8,6 +8,7 @@
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/predicates.hpp"
 #include "polygonal_perception/planning/free_space.hpp"
+#include "polygonal_perception/planning/sleeve.hpp"
 
 namespace polygonal_perception::planning {
 
@@ -39,6 +40,8 @@ public:
   std::optional<double> plan(const FreePlace& start, const FreePlace& goal,
                              std::vector<Eigen::Vector2d>& path);
 
+  /// Of the last plan that found a path: the triangles through which it goes.
+  void sleeve(Sleeve& sleeve) const;
   /// Of the last plan: the edges that were made, in the order in which they were.
   void seenEdges(std::vector<SeenEdge>& edges) const;
   /// Of the last plan: how many corners were expanded, and how many triangles cones went through.
@@ -54,6 +57,7 @@ private:
     std::uint32_t point = kNone;
     std::uint32_t parent = kNone;     // the visit that sees it
     std::uint32_t half_edge = kNone;  // begins in the corner, in the triangle through which it was seen
+    std::uint32_t crossing = kNone;   // by which that triangle was entered
     double length = 0.0;              // [m] from the start
   };
   /// The line from one point to another, on which a cone's root lies, too.
@@ -67,10 +71,17 @@ private:
   {
     std::uint32_t root = kNone;       // a visit
     std::uint32_t half_edge = kNone;  // on this side of the edge
+    std::uint32_t crossing = kNone;   // by which this side was entered
     Side right;
     Side left;
     bool has_right_end = true;  // the rays reach the edge's right end, its origin
     bool has_left_end = true;
+  };
+  /// A step from a triangle to the next one. The first of a chain has nothing before it, and begins in its triangle.
+  struct Crossing
+  {
+    std::uint32_t half_edge = kNone;
+    std::uint32_t before = kNone;
   };
   struct Queued
   {
@@ -91,10 +102,11 @@ private:
   bool isReached(const Side& ahead, std::uint32_t point, geometry::Orientation way) const;
   /// Follows a cone beyond its edge, as long as it stays one.
   void follow(Cone cone);
-  /// The cone's root sees a point of the triangle of `half_edge`, which begins in it.
-  void see(std::uint32_t root, std::uint32_t half_edge);
+  /// A visit sees a point of the triangle that was entered by that crossing: where `half_edge` begins.
+  void see(std::uint32_t root, std::uint32_t half_edge, std::uint32_t crossing);
   void seeGoal(const Cone& cone);
-  void reach(std::uint32_t root, std::uint32_t point, std::uint32_t half_edge);
+  void reach(std::uint32_t root, std::uint32_t point, std::uint32_t half_edge, std::uint32_t crossing);
+  std::uint32_t cross(std::uint32_t half_edge, std::uint32_t before);
   bool isTangential(std::uint32_t from, std::uint32_t half_edge) const;
   void push(const Cone& cone);
   double estimate(const Cone& cone) const;
@@ -111,7 +123,9 @@ private:
   std::vector<std::uint8_t> has_goal_;         // of each triangle
   std::vector<Visit> visits_;
   std::vector<Cone> cones_;
-  std::vector<Queued> queue_;  // a heap
+  std::vector<Crossing> crossings_;
+  std::vector<Queued> queue_;      // a heap
+  std::uint32_t reached_ = kNone;  // the visit of the goal
   std::size_t expanded_corners_ = 0;
   std::size_t crossed_triangles_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <polygonal_perception/PlanStatus.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -34,6 +35,14 @@ std::uint8_t statusOf(planning::PlanOutcome outcome)
   return PlanStatus::OUTSIDE;
 }
 
+std::string detourText(double detour)
+{
+  if (detour <= 0.0) return "";
+  char text[80];
+  std::snprintf(text, sizeof text, ", %.2f m longer than the shortest to stay on its side", detour);
+  return text;
+}
+
 std::string textOf(const planning::Plan& plan)
 {
   char text[160];
@@ -42,7 +51,7 @@ std::string textOf(const planning::Plan& plan)
       std::snprintf(text, sizeof text, "a path of %.2f m%s%s", plan.length,
                     plan.start_shift > 0.0 ? ", out of an obstacle" : "",
                     plan.goal_shift > 0.0 ? ", to the free point nearest to the goal" : "");
-      return text;
+      return text + detourText(plan.detour);
     case planning::PlanOutcome::kNoPolygons:
       return "no polygons to plan on";
     case planning::PlanOutcome::kStartBlocked:
@@ -129,10 +138,31 @@ bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
   }
   const auto begin = Clock::now();
   planner_.makePlan(robot->point, goal->point, parameters_.goal_tolerance, plan_);
+  keepSide(goal->point);
   times_.search = Clock::now() - begin;
   goal_yaw_ = goal->yaw;
   publish(statusOf(plan_.outcome), textOf(plan_));
   return true;
+}
+
+void PlanMaker::keepSide(const Eigen::Vector2d& goal)
+{
+  // A goal sent again is not quite the same, and one that is a person's place moves.
+  const double same_goal = std::max(parameters_.goal_tolerance, 0.05);  // [m]
+  const std_msgs::Header& header = polygons_->header;
+  Eigen::Isometry3d to_fixed = Eigen::Isometry3d::Identity();
+  if (header.frame_id != parameters_.fixed_frame) {
+    const auto transform = tf_.lookup(parameters_.fixed_frame, header.frame_id, header.stamp);
+    if (!transform) return guide_.clear();
+    to_fixed = *transform;
+  }
+  const auto move = [this](const Eigen::Isometry3d& transform) {
+    for (Eigen::Vector2d& p : guide_) p = (transform * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+  };
+  move(to_fixed.inverse());
+  if (!guide_.empty() && (guide_.back() - goal).norm() > same_goal) guide_.clear();
+  planner_.keepSide(parameters_.side_hysteresis, guide_, plan_);
+  move(to_fixed);
 }
 
 void PlanMaker::publish(std::uint8_t status, const std::string& message)
@@ -256,6 +286,7 @@ void PlanMaker::resetTime(const std::string& reason)
   log_.warn("time", "time has jumped back (" + reason + "): goal and polygons are forgotten");
   tf_.clear();
   goal_.reset();
+  guide_.clear();
   polygons_.reset();
   stamps_.reset();
 }

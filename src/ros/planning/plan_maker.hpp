@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "polygonal_perception/planning/path_planner.hpp"
 #include "polygonal_perception/ros/common/expected.hpp"
@@ -74,6 +75,8 @@ private:
   ros_common::Expected<Place> robotPlace() const;
   /// What is wrong with the polygons; empty where they can be planned on. Takes them in, if that has not been done.
   std::string takeIn();
+  /// Has the plan pass obstacles on the side on which the last one to that goal did.
+  void keepSide(const Eigen::Vector2d& goal);
   void publish(std::uint8_t status, const std::string& message);
   void refuse(std::uint8_t status, const char* kind, const std::string& reason);
 
@@ -89,6 +92,7 @@ private:
   std::optional<geometry_msgs::PoseStamped> goal_;
   bool is_goal_fixed_ = false;
   planning::Plan plan_;
+  std::vector<Eigen::Vector2d> guide_;  // of the last plan, in the fixed frame
   std::optional<double> goal_yaw_;
   PlanTimes times_;
   ros_common::StampOrder stamps_;

@@ -23,6 +23,7 @@ struct ShortestPathParameters
   /// As far as polygons have grown by default (robot_radius): a goal at a wall becomes the nearest point before it.
   double goal_tolerance = 0.3;  ///< [m]
   std::string outside = "free";
+  double side_hysteresis = 0.1;
 
   bool outsideIsFree() const { return outside == "free"; }
 
@@ -40,6 +41,10 @@ struct ShortestPathParameters
           "How far from a goal that is inside an obstacle a path may end.");
     visit("outside", self.outside, parameters::TextRule{"free or blocked", isOutsideRule},
           "What lies beyond the polygons' extent, where nothing was looked at.");
+    visit("side_hysteresis", self.side_hysteresis, Range{0.0, 1.0}, "share",
+          "A path keeps to its side of each obstacle until one on another side is shorter by this share; "
+          "with 0 each is the "
+          "shortest.");
   }
 
   std::optional<parameters::ParameterFault> conflict() const { return std::nullopt; }
