@@ -7,15 +7,12 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "polygonal_perception/planning/path_planner.hpp"
-#include "polygonal_perception/ros/common/expected.hpp"
 #include "polygonal_perception/ros/common/frame_statistics.hpp"
 #include "polygonal_perception/ros/common/stamp_order.hpp"
-#include "polygonal_perception/ros/common/tf_bridge.hpp"
 #include "polygonal_perception/ros/common/throttled_log.hpp"
-#include "ros/planning/plan_outputs.hpp"
+#include "polygonal_perception/ros/planning/plan_outputs.hpp"
+#include "polygonal_perception/ros/planning/polygon_planner.hpp"
 #include "ros/planning/shortest_path_parameters.hpp"
 
 namespace polygonal_perception::ros_planning {
@@ -63,20 +60,9 @@ public:
   const ros::Time& newestStamp() const { return stamps_.newest(); }
 
 private:
-  /// Where something is in the polygons' frame.
-  struct Place
-  {
-    Eigen::Vector2d point;
-    std::optional<double> yaw;  // nothing: any
-  };
-  ros_common::Expected<Place> placeOf(const geometry_msgs::PoseStamped& pose) const;
   /// Moves the goal into the fixed frame as soon as tf can.
   void fixGoal();
-  ros_common::Expected<Place> robotPlace() const;
-  /// What is wrong with the polygons; empty where they can be planned on. Takes them in, if that has not been done.
-  std::string takeIn();
-  /// Has the plan pass obstacles on the side on which the last one to that goal did.
-  void keepSide(const Eigen::Vector2d& goal);
+  ros_common::Expected<PolygonPlanner::Place> robotPlace() const;
   void publish(std::uint8_t status, const std::string& message);
   void refuse(std::uint8_t status, const char* kind, const std::string& reason);
 
@@ -84,15 +70,10 @@ private:
   const PlanOutputs& outputs_;
   ros_common::FrameStatistics& statistics_;
   ros_common::ThrottledLog& log_;
-  ros_common::TfBridge tf_;
-  planning::PathPlanner planner_;
-  PolygonArrayConstPtr polygons_;  // the newest; null before the first
-  bool are_taken_in_ = false;
-  std::string fault_;  // of the polygons, once they are taken in
+  PolygonPlanner planner_;
   std::optional<geometry_msgs::PoseStamped> goal_;
   bool is_goal_fixed_ = false;
   planning::Plan plan_;
-  std::vector<Eigen::Vector2d> guide_;  // of the last plan, in the fixed frame
   std::optional<double> goal_yaw_;
   PlanTimes times_;
   ros_common::StampOrder stamps_;

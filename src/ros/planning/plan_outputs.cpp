@@ -1,4 +1,4 @@
-#include "ros/planning/plan_outputs.hpp"
+#include "polygonal_perception/ros/planning/plan_outputs.hpp"
 
 #include <polygonal_perception/PlanStatus.h>
 #include <visualization_msgs/MarkerArray.h>

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "polygonal_perception/export.hpp"
 #include "polygonal_perception/planning/path_planner.hpp"
 #include "polygonal_perception/ros/common/output_table.hpp"
 
@@ -32,10 +33,11 @@ struct NoNeeds
 using PlanOutputs = ros_common::OutputTable<PlanResult, NoNeeds>;
 
 /// Adds the topics of the node: path, status, markers.
-void addOutputs(PlanOutputs& outputs);
+POLYGONAL_PERCEPTION_EXPORT void addOutputs(PlanOutputs& outputs);
 
 /// A path with each pose's yaw along the segment that begins there, and at its end the goal's own, if it has one.
-nav_msgs::Path toPath(const std_msgs::Header& header, const std::vector<Eigen::Vector2d>& corners,
-                      const std::optional<double>& goal_yaw);
+POLYGONAL_PERCEPTION_EXPORT nav_msgs::Path toPath(const std_msgs::Header& header,
+                                                  const std::vector<Eigen::Vector2d>& corners,
+                                                  const std::optional<double>& goal_yaw);
 
 }  // namespace polygonal_perception::ros_planning
