@@ -2,7 +2,6 @@
 
 #include <polygonal_perception/PlanStatus.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "polygonal_perception/ros/common/text_rules.hpp"
@@ -12,9 +11,6 @@ namespace polygonal_perception::ros_planning {
 namespace {
 
 using Clock = ros_common::FrameStatistics::Clock;
-
-/// A goal sent again is not quite the same, and that of who follows a person moves on.
-constexpr double kSameGoal = 0.05;  // [m]
 
 }  // namespace
 
@@ -67,9 +63,8 @@ bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
     return true;
   }
   begin = Clock::now();
-  planner_.makePlan(*robot, *goal, parameters_.goal_tolerance, plan_);
-  planner_.keepSide(parameters_.fixed_frame, parameters_.side_hysteresis,
-                    std::max(parameters_.goal_tolerance, kSameGoal), *goal, plan_);
+  planner_.makePlan(*robot, *goal, parameters_.path.goal_tolerance, plan_);
+  planner_.keepSide(parameters_.fixed_frame, parameters_.path, *goal, plan_);
   times_.search = Clock::now() - begin;
   goal_yaw_ = goal->yaw;
   publish(statusOf(plan_.outcome), textOf(plan_));
@@ -139,7 +134,7 @@ nav_msgs::Path PlanMaker::makePlan(const geometry_msgs::PoseStamped& start,
   if (!to) return refused(to.error());
   if (const std::string error = planner_.takeIn(); !error.empty()) return refused(error);
   planning::Plan plan;
-  planner_.makePlan(*from, *to, tolerance > 0.0 ? tolerance : parameters_.goal_tolerance, plan);
+  planner_.makePlan(*from, *to, tolerance > 0.0 ? tolerance : parameters_.path.goal_tolerance, plan);
   if (plan.outcome != planning::PlanOutcome::kOk) return refused(textOf(plan));
   return toPath(planner_.polygons()->header, plan.path, to->yaw);
 }
@@ -147,7 +142,7 @@ nav_msgs::Path PlanMaker::makePlan(const geometry_msgs::PoseStamped& start,
 void PlanMaker::configure(const ShortestPathParameters& parameters)
 {
   parameters_ = parameters;
-  planner_.setOutsideIsFree(parameters.outsideIsFree());
+  planner_.setOutsideIsFree(parameters.path.outsideIsFree());
 }
 
 void PlanMaker::resetTime(const std::string& reason)

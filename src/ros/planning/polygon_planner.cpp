@@ -1,5 +1,6 @@
 #include "polygonal_perception/ros/planning/polygon_planner.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "polygonal_perception/ros/common/marker_parts.hpp"
@@ -108,9 +109,11 @@ Expected<geometry_msgs::PoseStamped> PolygonPlanner::moved(const geometry_msgs::
   return moved;
 }
 
-void PolygonPlanner::keepSide(const std::string& fixed_frame, double share, double same_goal,
+void PolygonPlanner::keepSide(const std::string& fixed_frame, const planning::PathParameters& rules,
                               const Place& goal, planning::Plan& plan)
 {
+  // A goal sent again is not quite the same, and that of who follows a person moves on.
+  const double same_goal = std::max(rules.goal_tolerance, 0.05);  // [m]
   const auto to_fixed = transform(fixed_frame, polygons_->header.frame_id);
   if (!to_fixed) return guide_.clear();
   const auto moveGuide = [this](const Eigen::Isometry3d& transform) {
@@ -118,7 +121,7 @@ void PolygonPlanner::keepSide(const std::string& fixed_frame, double share, doub
   };
   moveGuide(to_fixed->inverse());
   if (!guide_.empty() && (guide_.back() - goal.point).norm() > same_goal) guide_.clear();
-  planner_.keepSide(share, guide_, plan);
+  planner_.keepSide(rules.side_hysteresis, guide_, plan);
   moveGuide(*to_fixed);
 }
 

@@ -5,14 +5,10 @@
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
+#include "polygonal_perception/planning/path_parameters.hpp"
 #include "polygonal_perception/ros/common/text_rules.hpp"
 
 namespace polygonal_perception::ros_planning {
-
-inline bool isOutsideRule(const std::string& text)
-{
-  return text == "free" || text == "blocked";
-}
 
 /// Every parameter of the node.
 struct ShortestPathParameters
@@ -20,12 +16,7 @@ struct ShortestPathParameters
   std::string robot_frame = "base_link";
   std::string fixed_frame = "odom";
   double tf_timeout = 0.1;  ///< [s]
-  /// As far as polygons have grown by default (robot_radius): a goal at a wall becomes the nearest point before it.
-  double goal_tolerance = 0.3;  ///< [m]
-  std::string outside = "free";
-  double side_hysteresis = 0.1;
-
-  bool outsideIsFree() const { return outside == "free"; }
+  planning::PathParameters path;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& visit)
@@ -37,14 +28,7 @@ struct ShortestPathParameters
         "A goal in a frame that moves stays where it is in this one; where tf does not know it, in its own.");
     visit("tf_timeout", self.tf_timeout, Range{0.0, 1.0}.atStart(), "s",
           "How long polygons wait for the robot's transform.");
-    visit("goal_tolerance", self.goal_tolerance, Range{0.0, 10.0}, "m",
-          "How far from a goal that is inside an obstacle a path may end.");
-    visit("outside", self.outside, parameters::TextRule{"free or blocked", isOutsideRule},
-          "What lies beyond the polygons' extent, where nothing was looked at.");
-    visit("side_hysteresis", self.side_hysteresis, Range{0.0, 1.0}, "share",
-          "A path keeps to its side of each obstacle until one on another side is shorter by this share; "
-          "with 0 each is the "
-          "shortest.");
+    planning::PathParameters::describe(self.path, visit);
   }
 
   std::optional<parameters::ParameterFault> conflict() const { return std::nullopt; }

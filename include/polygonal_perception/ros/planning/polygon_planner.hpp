@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
+#include "polygonal_perception/planning/path_parameters.hpp"
 #include "polygonal_perception/planning/path_planner.hpp"
 #include "polygonal_perception/ros/common/expected.hpp"
 #include "polygonal_perception/ros/common/tf_bridge.hpp"
@@ -59,9 +60,9 @@ public:
   /// Has the plan just made pass obstacles on the side on which the last one to that goal did.
   ///
   /// @param fixed_frame  in which obstacles stand still
-  /// @param share        until a plan on another side is shorter by this share
-  /// @param same_goal    [m] a goal that is no farther from the last one is the same
-  void keepSide(const std::string& fixed_frame, double share, double same_goal, const Place& goal,
+  /// @param rules        its side_hysteresis counts, and a goal no farther than its goal_tolerance from the last one is the
+  ///                     same
+  void keepSide(const std::string& fixed_frame, const planning::PathParameters& rules, const Place& goal,
                 planning::Plan& plan);
   /// Of the last plan, for pictures.
   const planning::PathSearch& search() const { return planner_.search(); }
