@@ -13,6 +13,7 @@ namespace polygonal_perception::geometry {
 namespace {
 
 constexpr double kFarthest = 1e8;             // [m]
+constexpr double kNearest = 1e-100;           // [m] to an axis, but on it: smaller products underflow
 constexpr std::size_t kCrossingsAVertex = 4;  // this package's polygons have none; many take n squared
 
 TriangulationFault fault(std::uint32_t ring, const Eigen::Vector2d& place, const char* what)
@@ -20,6 +21,13 @@ TriangulationFault fault(std::uint32_t ring, const Eigen::Vector2d& place, const
   char text[160];
   std::snprintf(text, sizeof text, "ring %u %s at (%.9g, %.9g)", ring, what, place.x(), place.y());
   return {ring, place, text};
+}
+
+/// What the predicates decide exactly. Written so that NaN is not.
+bool isInRange(double coordinate)
+{
+  const double magnitude = std::abs(coordinate);
+  return magnitude == 0.0 || (magnitude >= kNearest && magnitude <= kFarthest);
 }
 
 /// Where a cell lies on Hilbert's curve through 2^16 x 2^16 cells: neighbours on it are neighbours in the plane.
@@ -49,8 +57,8 @@ std::optional<TriangulationFault> ConstrainedTriangulation::triangulate(const Po
   Eigen::AlignedBox2d box;
   for (std::uint32_t r = 0; r < polygons.rings.size(); ++r) {
     for (const Eigen::Vector2d& vertex : polygons.view(polygons.rings[r])) {
-      // Written so that NaN fails.
-      if (!(vertex.cwiseAbs().maxCoeff() <= kFarthest)) return fault(r, vertex, "is not within 10^8 m");
+      if (!isInRange(vertex.x()) || !isInRange(vertex.y()))
+        return fault(r, vertex, "has a number that is not 0 or from 10^-100 to 10^8 m");
       box.extend(vertex);
     }
   }

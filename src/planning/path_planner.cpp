@@ -6,6 +6,17 @@
 
 namespace polygonal_perception::planning {
 
+namespace {
+
+/// Numbers so small that the predicates are not exact with them are 0.
+Eigen::Vector2d withoutUnderflow(const Eigen::Vector2d& point)
+{
+  constexpr double kLeast = 1e-100;  // [m]
+  return (point.array().abs() < kLeast).select(0.0, point);
+}
+
+}  // namespace
+
 std::optional<geometry::TriangulationFault> PathPlanner::setObstacles(
     const geometry::PolygonSet& obstacles, const std::vector<Eigen::Vector2d>& extent, bool outside_is_free)
 {
@@ -32,9 +43,11 @@ bool PathPlanner::isOutside(const Eigen::Vector2d& point) const
          geometry::locate(point, geometry::RingView(extent_)) == geometry::Location::kOutside;
 }
 
-void PathPlanner::makePlan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double goal_tolerance,
-                           Plan& plan)
+void PathPlanner::makePlan(const Eigen::Vector2d& from_here, const Eigen::Vector2d& to_there,
+                           double goal_tolerance, Plan& plan)
 {
+  const Eigen::Vector2d start = withoutUnderflow(from_here);
+  const Eigen::Vector2d goal = withoutUnderflow(to_there);
   plan.path.clear();
   plan.length = plan.start_shift = plan.goal_shift = plan.detour = 0.0;
   const auto finish = [&plan](PlanOutcome outcome) { plan.outcome = outcome; };

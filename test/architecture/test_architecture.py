@@ -22,7 +22,7 @@ Room = collections.namedtuple('Room', 'folder namespace foreign knows')
 # from others, apart from the standard library's; ANY are ROS's, too.
 ANY = ['']
 BASE = ['geometry', 'parameters']
-MEASURED = BASE + ['occupancy', 'mapping', 'perception', 'cameras/simulation', 'reference']
+MEASURED = BASE + ['occupancy', 'mapping', 'perception', 'planning', 'cameras/simulation', 'reference']
 ROOMS = [
     Room('geometry', 'geometry', ['Eigen/'], []),
     Room('parameters', 'parameters', [], []),

@@ -170,11 +170,13 @@ TEST(ConstrainedTriangulation, RefusesWhatHasNoPlaceOrTooManyCrossings)
 {
   TriangleMesh mesh;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : {nan, std::numeric_limits<double>::infinity(), -2e8}) {
-    const auto fault =
-        ConstrainedTriangulation().triangulate(setOf({square(0, 0, 1), {{0, 0}, {bad, 0}, {1, 1}}}), mesh);
-    ASSERT_TRUE(fault) << bad;
-    EXPECT_EQ(fault->ring, 1U) << fault->text;
+  for (const double bad : {nan, std::numeric_limits<double>::infinity(), -2e8, 1e-200}) {
+    for (const Eigen::Vector2d& vertex : {Eigen::Vector2d(bad, 0), Eigen::Vector2d(1.5, bad)}) {
+      const auto fault =
+          ConstrainedTriangulation().triangulate(setOf({square(0, 0, 1), {{0, 0}, vertex, {1, 1}}}), mesh);
+      ASSERT_TRUE(fault) << vertex.transpose();
+      EXPECT_EQ(fault->ring, 1U) << fault->text;
+    }
   }
   // Combs across each other: n squared crossings.
   Ring comb;

@@ -34,7 +34,7 @@ public:
   static constexpr std::uint32_t kSquareCorners = 4;
 
   /// @param mesh  replaced; unspecified where the polygons are refused. Its memory is used again
-  /// @return nothing; or the reason: a coordinate that is not finite or beyond 10^8 m, rings that cross each other more often
+  /// @return nothing; or the reason: a coordinate that is not 0 or of 10^-100 to 10^8 m, rings that cross each other more often
   ///         than four times their vertices, or so near to a vertex that double precision cannot tell them apart
   std::optional<TriangulationFault> triangulate(const PolygonSet& polygons, TriangleMesh& mesh);
 
