@@ -18,10 +18,10 @@ enum Area
 {
   kHull,
   kPatch,
-  kNone
+  kNoArea
 };
 
-constexpr float kHeldAlpha = 0.4F;  // a floor that is not seen is paler
+constexpr float kHeldFloorAlpha = 0.4F;  // a floor that is not seen is paler
 
 }  // namespace
 
@@ -32,7 +32,7 @@ FloorPlaneDisplay::FloorPlaneDisplay()
                                  this, SLOT(redraw()));
   area_->addOption("Hull", kHull);
   area_->addOption("Patch", kPatch);
-  area_->addOption("None", kNone);
+  area_->addOption("None", kNoArea);
   patch_size_ =
       new rviz::FloatProperty("Patch Size", 4.0F, "[m] length of its sides.", area_, SLOT(redraw()), this);
   patch_size_->setMin(0.01F);
@@ -91,7 +91,7 @@ void FloorPlaneDisplay::redraw()
 
   FloorStyle style;
   style.color = color_->getOgreColor();
-  if (message_->status != FloorPlane::FOUND) style.color.a = kHeldAlpha;
+  if (message_->status != FloorPlane::FOUND) style.color.a = kHeldFloorAlpha;
   style.alpha = alpha_->getFloat();
   style.line_width = line_width_->getFloat();
   style.normal = show_normal_->getBool();

@@ -16,7 +16,7 @@ namespace polygonal_perception::displays {
 
 namespace {
 
-enum ColorBy
+enum PlaneColor
 {
   kKind,
   kId

@@ -17,13 +17,13 @@ namespace polygonal_perception::displays {
 
 namespace {
 
-enum ColorBy
+enum PolygonColor
 {
   kFixed,
   kPolygon
 };
 
-constexpr float kHeldAlpha = 0.4F;  // polygons on a floor that is not seen are paler
+constexpr float kHeldPolygonAlpha = 0.4F;  // polygons on a floor that is not seen are paler
 // The extent stays behind the polygons: grey and thin, yet over a pixel wide from above, lest parts go
 // missing.
 constexpr float kExtentWidth = 0.015F;  // [m]
@@ -151,7 +151,7 @@ void PolygonArrayDisplay::paint(std::vector<PolygonShape::Polygon>& polygons)
     for (std::size_t i = 0; i < polygons.size(); ++i) polygons[i].color.setHSB(hues[i], 0.8F, 0.95F);
   }
   if (message_->floor_status == FloorPlane::FOUND) return;
-  for (PolygonShape::Polygon& polygon : polygons) polygon.color.a = kHeldAlpha;
+  for (PolygonShape::Polygon& polygon : polygons) polygon.color.a = kHeldPolygonAlpha;
 }
 
 }  // namespace polygonal_perception::displays

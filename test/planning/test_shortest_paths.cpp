@@ -5,6 +5,7 @@
 
 #include "polygonal_perception/geometry/location.hpp"
 #include "polygonal_perception/planning/path_search.hpp"
+#include "reference/minimal_construct.hpp"
 #include "reference/random_obstacles.hpp"
 #include "reference/visibility_graph.hpp"
 
@@ -111,6 +112,7 @@ TEST_P(ShortestPaths, AreThoseOfTheWholeVisibilityGraph)
     planning::PathSearch search;
     search.setSpace(space);
     const reference::VisibilityGraph graph(obstacles);
+    reference::MinimalConstruct plain(obstacles);
     for (int i = 0; i < 25; ++i) {
       const auto end = [&] {
         // A corner at times.
@@ -121,7 +123,14 @@ TEST_P(ShortestPaths, AreThoseOfTheWholeVisibilityGraph)
       const Query query{end(), end()};
       const std::string fault = faultOf(obstacles, graph, space, search, query);
       ASSERT_EQ(fault, "") << "set " << set << ": " << shrunk(obstacles, query);
-      ++(graph.shortest(query.start, query.goal) ? ways : none);
+      const std::optional<double> shortest = graph.shortest(query.start, query.goal);
+      ++(shortest ? ways : none);
+      if (!space.locate(query.start) || !space.locate(query.goal)) continue;
+      const std::optional<double> plain_length = plain.plan(query.start, query.goal);
+      ASSERT_EQ(plain_length.has_value(), shortest.has_value()) << "set " << set;
+      if (shortest) {
+        ASSERT_NEAR(*plain_length, *shortest, 1e-12 * (1.0 + *shortest)) << "set " << set;
+      }
     }
   }
   EXPECT_GT(ways, 2000);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kEdgeJump = 0.7F;  // [px] of disparity between neighbours: more than any slanted floor has
 constexpr float kShadowMargin = 1.5F;  // [px] of disparity that something must be nearer by to keep light off
-constexpr float kHalf = 0.5F;          // truncation after adding it rounds a positive number
+constexpr float kRounding = 0.5F;      // truncation after adding it rounds a positive number
 
 /// The part of 0..size-1 that lies within a distance of a centre.
 struct Span
@@ -43,7 +43,7 @@ void markShadows(const PinholeCamera& camera, const std::vector<float>& disparit
       line[at + 1] = std::max(line[at + 1], row[u]);
     }
     for (std::size_t u = 0; u < camera.width; ++u) {
-      const auto at = static_cast<std::size_t>(column(u) + kHalf);
+      const auto at = static_cast<std::size_t>(column(u) + kRounding);
       if (line[at] > row[u] + kShadowMargin) mask[v * camera.width + u] = 1;
     }
   }

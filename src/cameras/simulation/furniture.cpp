@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "polygonal_perception/geometry/angle.hpp"
+
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kBoardSpacing = 0.34;  // [m] from board to board of a shelf
 constexpr double kCablePiece = 0.12;    // [m] over which a cable is straight
 
@@ -72,7 +73,7 @@ void addOfficeChair(const Assembly& at, Random& random)
   const double seat = random.uniform(0.43, 0.55);
   const Assembly metal = at.reflecting(random.uniform(0.1, 0.6));
   for (int arm = 0; arm < 5; ++arm) {
-    const Assembly spoke = metal.at(0, 0, 2.0 * kPi * arm / 5.0);
+    const Assembly spoke = metal.at(0, 0, 2.0 * geometry::kPi * arm / 5.0);
     spoke.box({0.0, -0.02, 0.07}, {0.29, 0.02, 0.11});
     spoke.ellipsoid({0.28, 0.0, 0.03}, {0.03, 0.025, 0.03});
   }

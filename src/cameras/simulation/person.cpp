@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "cameras/simulation/assembly.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kTurn = 0.25;  // [m] before and after the end of the way over which a walker turns round
 
 /// A point `length` below another, swung forwards by an angle.
@@ -35,7 +35,7 @@ void addPerson(std::vector<Solid>& solids, const PersonPose& pose)
   std::array<Leg, 2> legs{};
   double reach = 0.0;
   for (int side = 0; side < 2; ++side) {
-    const double phase = pose.stride + kPi * side;
+    const double phase = pose.stride + geometry::kPi * side;
     legs[side].hip = pose.stride_amplitude * std::sin(phase);
     // The knee bends while the thigh swings forwards.
     legs[side].knee = 1.6 * pose.stride_amplitude * std::max(0.0, std::cos(phase)) + 0.03;
@@ -82,10 +82,10 @@ PersonPose Walker::at(double time) const
   pose.position = from + way * ((back ? 2.0 * length - gone : gone) / length);
   // -1 before, 1 after passing a mark of the way, and in between while turning.
   const auto passed = [gone](double mark) { return std::max(-1.0, std::min(1.0, (gone - mark) / kTurn)); };
-  pose.yaw =
-      std::atan2(way.y(), way.x()) + 0.5 * kPi * (1.0 + passed(0.0) + passed(length) + passed(2.0 * length));
+  pose.yaw = std::atan2(way.y(), way.x()) +
+             0.5 * geometry::kPi * (1.0 + passed(0.0) + passed(length) + passed(2.0 * length));
   // A stride of two steps is about 0.8 of the stature long.
-  pose.stride = 2.0 * kPi * (start + speed * time) / (0.8 * stature);
+  pose.stride = 2.0 * geometry::kPi * (start + speed * time) / (0.8 * stature);
   pose.stride_amplitude = 0.42;
   return pose;
 }

@@ -14,6 +14,8 @@ constexpr std::uint32_t kPacketWidth = 8;
 constexpr std::uint32_t kPacketHeight = 2;
 constexpr std::uint32_t kPacket = kPacketWidth * kPacketHeight;
 
+}  // namespace
+
 struct Material
 {
   Surface surface;
@@ -93,8 +95,6 @@ private:
   float* vertices_ = nullptr;        // owned by Embree
   float* vertex_ = nullptr;
 };
-
-}  // namespace
 
 class RayCaster::Device
 {

@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "polygonal_perception/geometry/angle.hpp"
+
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr std::size_t kStops = 8;
 constexpr int kWays = 6;              // of which the longest is taken
 constexpr int kTries = 2000;          // for a free place
@@ -72,7 +73,7 @@ Waypoint drawPose(const FreeSpace& space, const ViewArea& area, Random& random)
 
 Route::Route(const FreeSpace& space, const ViewArea& area, Random& random, const Pace& pace)
 {
-  const bool looks_ahead = area.yaw_spread >= kPi;
+  const bool looks_ahead = area.yaw_spread >= geometry::kPi;
   addLegs(drawStops(space, area, random, looks_ahead ? kStop : 0.0), looks_ahead, pace);
 }
 
@@ -107,7 +108,7 @@ void Route::addPlace(const Waypoint& place, const Pace& pace)
   }
   const Waypoint last = places_.back();
   // Turn by the shorter way.
-  const double turn = std::remainder(place.yaw - last.yaw, 2.0 * kPi);
+  const double turn = std::remainder(place.yaw - last.yaw, 2.0 * geometry::kPi);
   const double duration =
       std::max((place.position - last.position).norm() / pace.speed, std::abs(turn) / pace.turn_rate);
   places_.push_back({place.position, last.yaw + turn});

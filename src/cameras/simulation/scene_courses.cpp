@@ -3,11 +3,11 @@
 
 #include "cameras/simulation/room.hpp"
 #include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kDegree = 3.141592653589793 / 180.0;
 constexpr double kBelow = 0.3;  // [m] ground that is raised reaches this far below its surface
 
 /// Ground across a corridor that rises at a slope from a height at x, until its end.
@@ -39,7 +39,7 @@ void addStretch(Scene& scene, const Stretch& stretch, double half_width, double 
 double addRamp(Scene& scene, Random& random, double x, double from, double to, double level_length,
                double half_width)
 {
-  const double slope = (to > from ? 1.0 : -1.0) * random.uniform(4.0, 7.0) * kDegree;
+  const double slope = (to > from ? 1.0 : -1.0) * random.uniform(4.0, 7.0) * geometry::kDegree;
   const Stretch ramp{x, x + (to - from) / std::tan(slope), from, slope};
   addStretch(scene, ramp, half_width, random.uniform(0.4, 0.7));
   const double end = ramp.end + level_length;

@@ -3,11 +3,11 @@
 
 #include "cameras/simulation/room.hpp"
 #include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kSideRoom = 3.0;  // [m] how deep the rooms beside a corridor are
 
 /// Doors along a wall of a corridor: their openings, and what closes them or lies behind them.
@@ -53,14 +53,15 @@ void layOutCorridor(Scene& scene, Random& random)
   const Assembly world(scene.solids);
   RoomWalls walls;
   walls.openings[0] = addDoors(world.at(corners[0].x(), corners[0].y()), random, length);
-  walls.openings[2] = addDoors(world.at(corners[2].x(), corners[2].y(), kPi), random, length);
+  walls.openings[2] = addDoors(world.at(corners[2].x(), corners[2].y(), geometry::kPi), random, length);
   walls.openings[1] = maybeWindow(random, width);
   addWalls(scene, corridor, height, walls);
 
   // What stands in a corridor stands at its sides and leaves the way free.
   for (double x = random.uniform(1.5, 3.0); x + 1.5 < length; x += random.uniform(1.0, 3.5)) {
     const double side = random.sign();
-    const Assembly at = world.at(x, side * (0.5 * width - 0.25), side > 0 ? -kPi / 2 : kPi / 2);
+    const Assembly at =
+        world.at(x, side * (0.5 * width - 0.25), side > 0 ? -geometry::kPi / 2 : geometry::kPi / 2);
     switch (random.integer(0, 5)) {
       case 0:
         at.reflecting(0.6).box({-0.2, -0.45, 0.0}, {0.15, 0.45, random.uniform(0.7, 1.9)});
@@ -84,8 +85,8 @@ void layOutCorridor(Scene& scene, Random& random)
   if (random.chance(0.3)) {
     PersonPose passer_by;
     passer_by.position = {random.uniform(3.0, length - 1.0), random.uniform(-0.3, 0.3) * width};
-    passer_by.yaw = random.uniform(-kPi, kPi);
-    passer_by.stride = random.uniform(0.0, 2.0 * kPi);
+    passer_by.yaw = random.uniform(-geometry::kPi, geometry::kPi);
+    passer_by.stride = random.uniform(0.0, 2.0 * geometry::kPi);
     passer_by.stride_amplitude = 0.4;
     addPerson(scene.solids, passer_by);
   }

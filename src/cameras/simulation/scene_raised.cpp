@@ -3,11 +3,10 @@
 
 #include "cameras/simulation/room.hpp"
 #include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
-
-constexpr double kDegree = 3.141592653589793 / 180.0;
 
 /// A hall whose robot stands at low x and looks along x at what is raised, which begins at x = 0.
 Rectangle addHall(Scene& scene, Random& random)
@@ -80,9 +79,10 @@ void layOutPallet(Scene& scene, Random& random)
   for (int i = 0; i < across; ++i) {
     for (int j = 0; j < deep; ++j) {
       const double y = hall.centre().y() + (i - 0.5 * (across - 1)) * (kLength + 0.03);
-      const Assembly at = Assembly(scene.solids)
-                              .reflecting(0.5)
-                              .at(0.5 * kWidth + j * (kWidth + 0.03), y, random.uniform(-2.0, 2.0) * kDegree);
+      const Assembly at =
+          Assembly(scene.solids)
+              .reflecting(0.5)
+              .at(0.5 * kWidth + j * (kWidth + 0.03), y, random.uniform(-2.0, 2.0) * geometry::kDegree);
       constexpr int kBoards = 5;
       constexpr double kBoardWidth = 0.13;
       for (int board = 0; board < kBoards; ++board) {

@@ -5,12 +5,12 @@
 #include "cameras/simulation/room.hpp"
 #include "cameras/simulation/route.hpp"
 #include "cameras/simulation/scene_layouts.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 #include "polygonal_perception/geometry/ring_view.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kWalkerRadius = 0.35;  // [m] somebody who walks keeps clear of things by this
 constexpr double kLongestWalk = 3.0;    // [m]
 
@@ -46,7 +46,7 @@ ViewArea everywhere(const Rectangle& room)
   ViewArea area;
   area.centre = room.centre();
   area.half_size = 0.5 * room.size();
-  area.yaw_spread = kPi;
+  area.yaw_spread = geometry::kPi;
   return area;
 }
 
@@ -60,13 +60,14 @@ void addWorkplace(Scene& scene, Random& random, Clearances& clearances, const Ei
   }
   const double away = half.x() + random.uniform(0.0, 0.5);
   const double aside = random.uniform(-0.3, 0.3);
-  addChair(desk.at(away, aside, kPi + random.uniform(-1.0, 1.0)), random);
+  addChair(desk.at(away, aside, geometry::kPi + random.uniform(-1.0, 1.0)), random);
   clearances.reserve(centre + away * Eigen::Vector2d(std::cos(yaw), std::sin(yaw)), 0.4);
   if (random.chance(0.7))
     addCable(desk.at(0.0, random.uniform(-0.5, 0.5), random.uniform(-1.0, 1.0)), random,
              random.uniform(0.5, 2.5));
   if (random.chance(0.4))
-    addBag(desk.at(random.uniform(-0.1, 0.5), random.sign() * half.y() * 0.6, random.uniform(-kPi, kPi)),
+    addBag(desk.at(random.uniform(-0.1, 0.5), random.sign() * half.y() * 0.6,
+                   random.uniform(-geometry::kPi, geometry::kPi)),
            random);
 }
 
@@ -93,21 +94,22 @@ void layOutOffice(Scene& scene, Random& random)
     }
   }
   if (random.chance(0.5)) {
-    const double yaw = random.integer(0, 1) * kPi / 2;
+    const double yaw = random.integer(0, 1) * geometry::kPi / 2;
     const Eigen::Vector2d side(std::cos(yaw), std::sin(yaw));
     addWorkplace(scene, random, clearances, room.centre() + 0.42 * side, yaw);
-    addWorkplace(scene, random, clearances, room.centre() - 0.42 * side, yaw + kPi);
+    addWorkplace(scene, random, clearances, room.centre() - 0.42 * side, yaw + geometry::kPi);
   }
   const Rectangle inner = shrunk(room, 0.7);
   if (random.chance(0.5))
-    addMat(Assembly(scene.solids).at(room.centre().x(), room.centre().y(), random.uniform(-kPi, kPi)),
+    addMat(Assembly(scene.solids)
+               .at(room.centre().x(), room.centre().y(), random.uniform(-geometry::kPi, geometry::kPi)),
            random);
   scatter(scene, random, inner, random.integer(4, 12), clearances);
   if (random.chance(0.3)) {
     PersonPose visitor;
     visitor.position = {random.uniform(inner.low.x(), inner.high.x()),
                         random.uniform(inner.low.y(), inner.high.y())};
-    visitor.yaw = random.uniform(-kPi, kPi);
+    visitor.yaw = random.uniform(-geometry::kPi, geometry::kPi);
     visitor.stature = random.uniform(1.55, 1.92);
     if (clearances.take(visitor.position, 0.35)) addPerson(scene.solids, visitor);
   }
@@ -180,7 +182,8 @@ void layOutTableTop(Scene& scene, Random& random)
       addTableClutter(at.at(0.4 * half.x(), 0.0), random, far_part, height, random.integer(0, 3));
     }
     if (random.chance(0.5))
-      addChair(at.at(half.x() + 0.3, random.uniform(-0.4, 0.4), kPi + random.uniform(-0.4, 0.4)), random);
+      addChair(at.at(half.x() + 0.3, random.uniform(-0.4, 0.4), geometry::kPi + random.uniform(-0.4, 0.4)),
+               random);
     // From over the near part of the table and from right behind its edge.
     ViewArea area;
     area.centre = centre - Eigen::Vector2d(0.75 * half.x() + 0.22, 0.0);
@@ -191,7 +194,7 @@ void layOutTableTop(Scene& scene, Random& random)
     scene.view_areas.push_back(area);
   }
   if (random.chance(0.5))
-    addSofa(Assembly(scene.solids).at(room.high.x() - 1.2, random.uniform(-1.0, 1.0), kPi), random);
+    addSofa(Assembly(scene.solids).at(room.high.x() - 1.2, random.uniform(-1.0, 1.0), geometry::kPi), random);
   Clearances clearances;
   scatter(scene, random, {{room.low.x() + 4.6, room.low.y() + 0.8}, room.high - Eigen::Vector2d(1.2, 0.8)},
           random.integer(0, 5), clearances);
@@ -201,7 +204,7 @@ void layOutWall(Scene& scene, Random& random)
 {
   const Rectangle room = addRoom(scene, random, {random.uniform(4.0, 7.0), random.uniform(4.0, 6.0)}, false);
   const double face = room.high.x();
-  const Assembly wall = Assembly(scene.solids).at(face, 0.0, kPi);
+  const Assembly wall = Assembly(scene.solids).at(face, 0.0, geometry::kPi);
   // The wall is bare, or carries pictures, a board or a radiator.
   const double y = random.uniform(-1.0, 1.0);
   switch (random.integer(0, 3)) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "polygonal_perception/geometry/angle.hpp"
 #include "polygonal_perception/geometry/convex_hull.hpp"
 #include "polygonal_perception/geometry/distance.hpp"
 #include "polygonal_perception/geometry/location.hpp"
@@ -9,7 +10,6 @@
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr std::uint32_t kSides = 14;
 constexpr std::uint32_t kRings = 8;
 
@@ -36,7 +36,7 @@ Solid makeFrustum(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
   Solid frustum;
   frustum.curved = true;
   for (std::uint32_t i = 0; i < kSides; ++i) {
-    const double angle = kTwoPi * i / kSides;
+    const double angle = geometry::kTwoPi * i / kSides;
     const Eigen::Vector3d out = std::cos(angle) * side + std::sin(angle) * other;
     frustum.vertices.emplace_back((from + radius_from * out).cast<float>());
     frustum.vertices.emplace_back((to + radius_to * out).cast<float>());
@@ -62,9 +62,9 @@ Solid makeEllipsoid(const Eigen::Isometry3d& pose, const Eigen::Vector3d& radii)
   add(-Eigen::Vector3d::UnitZ());
   add(Eigen::Vector3d::UnitZ());
   for (std::uint32_t ring = 0; ring < kRings - 1; ++ring) {
-    const double elevation = 0.5 * kTwoPi * ((ring + 1.0) / kRings - 0.5);
+    const double elevation = 0.5 * geometry::kTwoPi * ((ring + 1.0) / kRings - 0.5);
     for (std::uint32_t i = 0; i < kSides; ++i) {
-      const double angle = kTwoPi * i / kSides;
+      const double angle = geometry::kTwoPi * i / kSides;
       add({std::cos(elevation) * std::cos(angle), std::cos(elevation) * std::sin(angle),
            std::sin(elevation)});
     }

@@ -9,15 +9,13 @@
 #include "cameras/simulation/free_space.hpp"
 #include "cameras/simulation/route.hpp"
 #include "polygonal_perception/cameras/simulation/random.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
 
 namespace polygonal_perception::simulation {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kDegree = kPi / 180.0;
-constexpr double kMaxPitch = 45.0 * kDegree;
-constexpr double kMaxRoll = 15.0 * kDegree;
+constexpr double kMaxPitch = 45.0 * geometry::kDegree;
+constexpr double kMaxRoll = 15.0 * geometry::kDegree;
 
 /// Heights that a camera can have.
 struct Heights
@@ -46,7 +44,8 @@ class SmoothNoise
 public:
   SmoothNoise(Random& random, double slowest, double fastest)
   {
-    for (Wave& wave : waves_) wave = {kTwoPi * random.uniform(slowest, fastest), random.uniform(0.0, kTwoPi)};
+    for (Wave& wave : waves_)
+      wave = {geometry::kTwoPi * random.uniform(slowest, fastest), random.uniform(0.0, geometry::kTwoPi)};
   }
   double operator()(double time) const
   {
@@ -71,7 +70,7 @@ Eigen::Isometry3d standingOnWheels(const Scene& scene, const Waypoint& place)
   const Eigen::Rotation2Dd turn(place.yaw);
   std::array<Eigen::Vector3d, 3> contacts;
   for (int wheel = 0; wheel < 3; ++wheel) {
-    const double angle = (60.0 + 120.0 * wheel) * kDegree;
+    const double angle = (60.0 + 120.0 * wheel) * geometry::kDegree;
     const Eigen::Vector2d at =
         place.position + turn * (kWheel * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     contacts[static_cast<std::size_t>(wheel)] << at, scene.groundHeight(at);
@@ -94,8 +93,8 @@ public:
   {
     const auto [area, heights] = chooseArea(scene, random, {0.6, 1.0});
     height_ = random.uniform(heights.low, heights.high);
-    pitch_ = random.uniform(5.0, 35.0) * kDegree;
-    roll_ = random.uniform(-1.0, 1.0) * kDegree;
+    pitch_ = random.uniform(5.0, 35.0) * geometry::kDegree;
+    roll_ = random.uniform(-1.0, 1.0) * geometry::kDegree;
     const FreeSpace space(scene, 0.27, 0.03, height_ + 0.1);
     const Route::Pace pace{random.uniform(0.25, 0.5), random.uniform(0.3, 0.8)};
     route_ = scene.way.empty() ? Route(space, area, random, pace) : Route(scene.way, pace);
@@ -104,8 +103,8 @@ public:
   Eigen::Isometry3d pose(double time) const override
   {
     const double height = height_ + 0.001 * hum_(time);
-    const double pitch = pitch_ + (0.12 * rattle_(time) + 0.3 * lean_(time)) * kDegree;
-    const double roll = roll_ + 0.12 * hum_(time + 7.0) * kDegree;
+    const double pitch = pitch_ + (0.12 * rattle_(time) + 0.3 * lean_(time)) * geometry::kDegree;
+    const double roll = roll_ + 0.12 * hum_(time + 7.0) * geometry::kDegree;
     return base(time) * opticalPose({0.0, 0.0, height}, 0.0, pitch, roll);
   }
 
@@ -134,7 +133,7 @@ public:
   {
     const auto [area, heights] = chooseArea(scene, random, {0.45, 0.55});
     height_ = random.uniform(heights.low, heights.high);
-    pitch_ = random.uniform(10.0, 30.0) * kDegree;
+    pitch_ = random.uniform(10.0, 30.0) * geometry::kDegree;
     step_rate_ = random.uniform(1.0, 2.0);
     sway_ = random.uniform(0.015, 0.035);
     const FreeSpace space(scene, 0.2, 0.03, 0.6);
@@ -145,18 +144,19 @@ public:
   {
     const Waypoint base = route_.at(time);
     const double steps = step_rate_ * time;
-    const double sideways = std::sin(kPi * steps);
+    const double sideways = std::sin(geometry::kPi * steps);
     // A blow at the start of each step, alternating in side, that rings off within a fifth of a second.
     const double since = (steps - std::floor(steps)) / step_rate_;
-    const double ringing = std::exp(-since / 0.05) * std::sin(kTwoPi * 13.0 * since);
+    const double ringing = std::exp(-since / 0.05) * std::sin(geometry::kTwoPi * 13.0 * since);
     const double side = std::fmod(std::floor(steps), 2.0) < 1.0 ? 1.0 : -1.0;
     const Eigen::Vector2d left(-std::sin(base.yaw), std::cos(base.yaw));
     const Eigen::Vector2d position = base.position + sway_ * sideways * left;
     const double height = height_ - 0.008 * std::abs(sideways) + 0.004 * ringing;
     const double pitch =
-        pitch_ + (6.0 * gaze_(time) + 1.5 * std::sin(kTwoPi * steps) + 2.0 * ringing) * kDegree;
-    const double roll = (2.5 * sideways + 1.5 * side * ringing) * kDegree;
-    const double yaw = base.yaw + (10.0 * turn_(time) + 1.5 * sideways) * kDegree;
+        pitch_ +
+        (6.0 * gaze_(time) + 1.5 * std::sin(geometry::kTwoPi * steps) + 2.0 * ringing) * geometry::kDegree;
+    const double roll = (2.5 * sideways + 1.5 * side * ringing) * geometry::kDegree;
+    const double yaw = base.yaw + (10.0 * turn_(time) + 1.5 * sideways) * geometry::kDegree;
     return opticalPose({position.x(), position.y(), height}, yaw, pitch, roll);
   }
 

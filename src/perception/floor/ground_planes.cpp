@@ -13,18 +13,6 @@ namespace polygonal_perception::perception {
 
 namespace {
 
-/// What the pairs of samples on both sides of a border say.
-struct Border
-{
-  double pairs = 0.0;
-  double step = 0.0;  // [m] sum over the pairs
-
-  bool meets(const GroundPlanes::Parameters& parameters) const
-  {
-    return pairs >= parameters.least_pairs && step < parameters.least_step * pairs;
-  }
-};
-
 /// [m] How high the step between two planes is, by the height of a sample of each above the other: 0 where both samples
 /// lie on the same side, for there the planes meet between them.
 float stepHeight(float first, float second)
@@ -36,6 +24,18 @@ float stepHeight(float first, float second)
 
 struct GroundPlanes::Workspace
 {
+  /// What the pairs of samples on both sides of a border say.
+  struct Border
+  {
+    double pairs = 0.0;
+    double step = 0.0;  // [m] sum over the pairs
+
+    bool meets(const GroundPlanes::Parameters& parameters) const
+    {
+      return pairs >= parameters.least_pairs && step < parameters.least_step * pairs;
+    }
+  };
+
   std::vector<ReferencePlane> references;  // of each plane of the frame
   std::vector<Border> borders;             // of each two of them
   std::vector<std::uint8_t> is_ground;     // of each
@@ -93,7 +93,7 @@ const std::vector<GroundPlane>& GroundPlanes::find(const FloorDetector& detector
     const std::size_t here = w.open.back();
     w.open.pop_back();
     for (std::size_t there = 0; there < count; ++there) {
-      const Border& border = w.borders[here * count + there];
+      const Workspace::Border& border = w.borders[here * count + there];
       if (w.is_ground[there] != 0 || !border.meets(parameters_)) continue;
       const geometry::Plane& plane = extraction.planes()[there].fit.plane;
       if (geometry::angleBetween(plane.normal, floor.normal) > parameters_.max_slope) continue;

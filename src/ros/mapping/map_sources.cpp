@@ -65,7 +65,6 @@ std::string MapSources::disagreement() const
   // What two floors of a calibrated robot stay within by far: their own errors are a tenth of a degree and some millimetres.
   constexpr double kTilt = 0.035;   // [rad] 2 degrees
   constexpr double kHeight = 0.03;  // [m] as min_height: more makes obstacles of floor
-  constexpr double kDegree = 180.0 / geometry::kPi;
   for (std::size_t a = 0; a < sources_.size(); ++a) {
     for (std::size_t b = a + 1; b < sources_.size(); ++b) {
       const Source& first = sources_[a];
@@ -75,8 +74,8 @@ std::string MapSources::disagreement() const
       const double height = second.floor_height - first.floor_height;
       if (tilt <= kTilt && std::abs(height) <= kHeight) continue;
       return "the floor of " + second.name + " is tilted by " +
-             numberText(std::round(10.0 * kDegree * tilt) / 10.0) + " degrees against that of " + first.name +
-             " and " + numberText(std::round(1e3 * height) / 1e3) +
+             numberText(std::round(10.0 * tilt / geometry::kDegree) / 10.0) + " degrees against that of " +
+             first.name + " and " + numberText(std::round(1e3 * height) / 1e3) +
              " m higher: tf is wrong about one of them";
     }
   }

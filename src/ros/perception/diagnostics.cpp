@@ -1,5 +1,6 @@
 #include "ros/perception/diagnostics.hpp"
 
+#include "polygonal_perception/geometry/angle.hpp"
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "ros/perception/floor_absence_text.hpp"
 
@@ -11,7 +12,6 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
 constexpr double kLongSilence = 2.0;  // [s] without a frame that are an error
-constexpr double kDegree = 57.29577951308232;
 
 const char* textOf(perception::FloorStatus status)
 {
@@ -94,8 +94,8 @@ void fillDiagnostics(const NodeState& state, const ros_common::FrameStatistics& 
     status.addf("Camera height [m]", "%.3f", state.floor.floor.plane.distance);
     status.add("Ahead", headingText(state.heading));
     if (state.attitude) {
-      status.addf("Camera pitch [deg]", "%.2f", state.attitude->pitch * kDegree);
-      status.addf("Camera roll [deg]", "%.2f", state.attitude->roll * kDegree);
+      status.addf("Camera pitch [deg]", "%.2f", state.attitude->pitch / geometry::kDegree);
+      status.addf("Camera roll [deg]", "%.2f", state.attitude->roll / geometry::kDegree);
     }
     status.addf("Floor rms error [m]", "%.4f", state.floor.floor.rms_error);
   }

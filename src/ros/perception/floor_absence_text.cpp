@@ -1,12 +1,11 @@
 #include "ros/perception/floor_absence_text.hpp"
 
+#include "polygonal_perception/geometry/angle.hpp"
 #include "ros/perception/printed.hpp"
 
 namespace polygonal_perception::ros_perception {
 
 namespace {
-
-constexpr double kDegree = 57.29577951308232;
 
 }  // namespace
 
@@ -20,19 +19,19 @@ std::string absenceText(const perception::FloorAbsence& absence)
             "no plane in view faces up as tf has it: the largest faces (%.2f, %.2f, %.2f), %.0f degrees from "
             "that; "
             "if that is the floor, the input's frame_id or tf is wrong",
-            absence.normal.x(), absence.normal.y(), absence.normal.z(), absence.tilt * kDegree);
+            absence.normal.x(), absence.normal.y(), absence.normal.z(), absence.tilt / geometry::kDegree);
       }
       return printed(
           "no plane in view faces up: the largest faces (%.2f, %.2f, %.2f), %.0f degrees from the up vector; "
           "if that is "
           "the floor, set initial_up to it",
-          absence.normal.x(), absence.normal.y(), absence.normal.z(), absence.tilt * kDegree);
+          absence.normal.x(), absence.normal.y(), absence.normal.z(), absence.tilt / geometry::kDegree);
     case Reason::kNotLevelInTf:
       return printed(
           "the largest plane that faces up is %.0f degrees from level as tf has it: the input's frame_id or "
           "tf is "
           "wrong",
-          absence.tilt * kDegree);
+          absence.tilt / geometry::kDegree);
     case Reason::kTooNear:
     case Reason::kTooFar:
       return printed(

@@ -1,5 +1,6 @@
 #include "ros/perception/floor_warnings.hpp"
 
+#include "polygonal_perception/geometry/angle.hpp"
 #include "ros/perception/floor_absence_text.hpp"
 #include "ros/perception/mount_error_text.hpp"
 #include "ros/perception/printed.hpp"
@@ -7,8 +8,6 @@
 namespace polygonal_perception::ros_perception {
 
 namespace {
-
-constexpr double kDegree = 57.29577951308232;
 
 /// Whether a floor is assumed where the mount says while what looks like one lies elsewhere.
 bool liesElsewhere(const perception::FloorState& floor)
@@ -45,7 +44,7 @@ void FloorWarnings::update(const perception::Pipeline::Result& result, const Eig
     log_.warn("floor tilted",
               printed("no floor where mount_frame '%s' says for 30 s: the largest plane is tilted by %.1f "
                       "degrees; it is a ramp, or the camera has tilted",
-                      mount_frame.c_str(), floor.absence->tilt * kDegree));
+                      mount_frame.c_str(), floor.absence->tilt / geometry::kDegree));
   const bool disagrees = floor.mount_error && floor.mount_error->is_beyond;
   if (disagrees_.update(disagrees, stamp))
     log_.warn("mount", mountErrorText(floor, result.view.forward, initial_up, mount_frame));
