@@ -9,8 +9,8 @@
 #include <fstream>
 #include <vector>
 
-#include "observed_drive.hpp"
 #include "polygonal_perception/mapping/polygon_map.hpp"
+#include "reference/observed_drive.hpp"
 
 namespace polygonal_perception::benchmarks {
 namespace {
@@ -51,7 +51,7 @@ double residentMemory()
 
 int measure()
 {
-  const std::vector<ObservedFrame> recorded = observedDrive();
+  const std::vector<reference::ObservedFrame> recorded = reference::observedDrive();
   mapping::PolygonMap map{mapping::PolygonMap::Parameters{}};
   mapping::PolygonMap::Products products;
   products.polygons = true;
@@ -59,7 +59,7 @@ int measure()
   for (int round = 0; round < kRounds; ++round) {
     std::vector<mapping::PolygonMap::StageTimes> times;
     std::size_t vertices = 0;
-    for (const ObservedFrame& one : recorded) {
+    for (const reference::ObservedFrame& one : recorded) {
       map.update({one.geometry, one.pose, one.cells.hit.data(), one.cells.free.data(), one.cells.floor.data(),
                   true, stamp += 1.0 / 30.0},
                  one.robot);

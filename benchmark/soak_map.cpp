@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "observed_drive.hpp"
+#include "reference/observed_drive.hpp"
 #include "soak_record.hpp"
 
 namespace polygonal_perception::benchmarks {
@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kRobotRate = 30.0;  // [Hz] of the frames, as the robot's time goes
 
-std::vector<ObservedCells> makeMessages(const std::vector<ObservedFrame>& drive)
+std::vector<ObservedCells> makeMessages(const std::vector<reference::ObservedFrame>& drive)
 {
   std::vector<ObservedCells> messages;
-  for (const ObservedFrame& frame : drive) {
+  for (const reference::ObservedFrame& frame : drive) {
     ObservedCells& message = messages.emplace_back();
     message.header.frame_id = "odom";
     message.floor_status = FloorPlane::FOUND;
@@ -44,7 +44,7 @@ std::vector<ObservedCells> makeMessages(const std::vector<ObservedFrame>& drive)
   return messages;
 }
 
-tf2_msgs::TFMessage placeOf(const ObservedFrame& frame, const ros::Time& stamp)
+tf2_msgs::TFMessage placeOf(const reference::ObservedFrame& frame, const ros::Time& stamp)
 {
   tf2_msgs::TFMessage message;
   message.transforms.resize(1);
@@ -65,7 +65,7 @@ bool soak(int process, double duration, double rate)
   ros::NodeHandle node;
   const ros::Publisher cells = node.advertise<ObservedCells>("/observed_cells", 1);
   const ros::Publisher places = node.advertise<tf2_msgs::TFMessage>("/tf", 10);
-  const std::vector<ObservedFrame> drive = observedDrive();
+  const std::vector<reference::ObservedFrame> drive = reference::observedDrive();
   std::vector<ObservedCells> messages = makeMessages(drive);
   Reader reader("/polygon_map");
   ros::AsyncSpinner spinner(1);

@@ -1,11 +1,11 @@
-#include "observed_drive.hpp"
+#include "reference/observed_drive.hpp"
 
 #include <cmath>
 
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 #include "polygonal_perception/perception/pipeline.hpp"
 
-namespace polygonal_perception::benchmarks {
+namespace polygonal_perception::reference {
 
 std::vector<ObservedFrame> observedDrive()
 {
@@ -36,4 +36,4 @@ std::vector<ObservedFrame> observedDrive()
   return recorded;
 }
 
-}  // namespace polygonal_perception::benchmarks
+}  // namespace polygonal_perception::reference

@@ -6,7 +6,7 @@
 #include "polygonal_perception/occupancy/grid/binary_grid.hpp"
 #include "polygonal_perception/occupancy/grid/observed_cells.hpp"
 
-namespace polygonal_perception::benchmarks {
+namespace polygonal_perception::reference {
 
 /// What one frame of a drive shows a map.
 struct ObservedFrame
@@ -20,4 +20,4 @@ struct ObservedFrame
 /// A round of some 30 s through an office in which somebody walks about, three frames a second.
 std::vector<ObservedFrame> observedDrive();
 
-}  // namespace polygonal_perception::benchmarks
+}  // namespace polygonal_perception::reference
