@@ -79,11 +79,11 @@ std::optional<TriangulationFault> ConstrainedTriangulation::triangulate(const Po
   }
   std::sort(order_.begin(), order_.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
   mesh_vertices_.assign(polygons.vertices.size(), TriangleMesh::kNone);
-  VertexInsertion vertices(mesh);
+  VertexInsertion vertices(mesh, scratch_);
   for (const Keyed& keyed : order_)
     mesh_vertices_[keyed.vertex] = vertices.insert(polygons.vertices[keyed.vertex]);
 
-  SegmentInsertion segments(mesh, kCrossingsAVertex * polygons.vertices.size());
+  SegmentInsertion segments(mesh, kCrossingsAVertex * polygons.vertices.size(), {edge_scratch_, scratch_});
   for (std::uint32_t r = 0; r < polygons.rings.size(); ++r) {
     const PolygonSet::Ring& ring = polygons.rings[r];
     for (std::uint32_t i = 0; i < ring.size; ++i) {

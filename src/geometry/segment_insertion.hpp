@@ -13,9 +13,20 @@ namespace polygonal_perception::geometry {
 class SegmentInsertion
 {
 public:
+  /// Memory, to be used again.
+  struct Scratch
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges;
+    std::vector<std::uint32_t>& vertices;
+  };
+
   /// @param crossings  how often segments may cross each other
-  SegmentInsertion(TriangleMesh& mesh, std::size_t crossings)
-      : mesh_(mesh), editor_(mesh), crossings_left_(crossings)
+  SegmentInsertion(TriangleMesh& mesh, std::size_t crossings, const Scratch& scratch)
+      : mesh_(mesh),
+        editor_(mesh),
+        crossings_left_(crossings),
+        crossing_(scratch.edges),
+        goals_(scratch.vertices)
   {
   }
 
@@ -43,8 +54,8 @@ private:
   TriangleMesh& mesh_;
   MeshEditor editor_;
   std::size_t crossings_left_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_;  // edges, by their ends
-  std::vector<std::uint32_t> goals_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing_;  // edges, by their ends
+  std::vector<std::uint32_t>& goals_;
 };
 
 }  // namespace polygonal_perception::geometry

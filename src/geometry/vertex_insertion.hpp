@@ -9,7 +9,11 @@ namespace polygonal_perception::geometry {
 class VertexInsertion
 {
 public:
-  explicit VertexInsertion(TriangleMesh& mesh) : mesh_(mesh), editor_(mesh) {}
+  /// @param scratch  memory, to be used again
+  VertexInsertion(TriangleMesh& mesh, std::vector<std::uint32_t>& scratch)
+      : mesh_(mesh), editor_(mesh), doubtful_(scratch)
+  {
+  }
 
   /// @param point  inside the mesh's region
   /// @return the vertex there; one that has been there before where it has the same coordinates
@@ -20,8 +24,8 @@ private:
 
   TriangleMesh& mesh_;
   MeshEditor editor_;
-  std::uint32_t last_ = 0;  // a half-edge near the last point
-  std::vector<std::uint32_t> doubtful_;
+  std::uint32_t last_ = 0;                // a half-edge near the last point
+  std::vector<std::uint32_t>& doubtful_;  // half-edges that may have to be flipped
 };
 
 }  // namespace polygonal_perception::geometry

@@ -27,7 +27,8 @@ std::optional<geometry::TriangulationFault> PathPlanner::setObstacles(
     fault = space_.build(obstacles);
   } else {
     bounded_ = obstacles;
-    bounded_.append(std::vector<Eigen::Vector2d>(extent.rbegin(), extent.rend()), true);
+    around_.assign(extent.rbegin(), extent.rend());
+    bounded_.append(around_, true);
     fault = space_.build(bounded_, true);
   }
   has_obstacles_ = !fault;

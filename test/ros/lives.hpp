@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <polygonal_perception/PolygonArray.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -12,13 +11,15 @@
 
 namespace polygonal_perception::test {
 
-/// What arrives at a node from all sides, in threads of its own: messages, readers of ~polygons that come and go, calls.
+/// What arrives at a node from all sides, in threads of its own: messages, readers of an output that come and go, calls.
+template <class Answer>
 class Traffic
 {
 public:
+  /// @param output   a topic of the node
   /// @param publish  sends a message
   /// @param call     calls all of the node's services
-  Traffic(const std::string& node, const std::function<void()>& publish, const std::function<void()>& call)
+  Traffic(const std::string& output, const std::function<void()>& publish, const std::function<void()>& call)
       : sender_([this, publish] {
           ros::WallRate rate(500.0);
           while (running_) {
@@ -26,7 +27,7 @@ public:
             rate.sleep();
           }
         }),
-        reader_([this, topic = node + "/polygons"] { readPolygons(topic); }),
+        reader_([this, output] { readAnswers(output); }),
         caller_([this, call] {
           while (running_) call();
         })
@@ -43,16 +44,15 @@ public:
   int answers() const { return answers_; }
 
 private:
-  void readPolygons(const std::string& topic)
+  void readAnswers(const std::string& topic)
   {
     ros::NodeHandle own;
     ros::CallbackQueue queue;
     own.setCallbackQueue(&queue);
-    const boost::function<void(const PolygonArrayConstPtr&)> count = [this](const PolygonArrayConstPtr&) {
-      ++answers_;
-    };
+    const boost::function<void(const boost::shared_ptr<const Answer>&)> count =
+        [this](const boost::shared_ptr<const Answer>&) { ++answers_; };
     while (running_) {
-      const ros::Subscriber polygons = own.subscribe<PolygonArray>(topic, 5, count);
+      const ros::Subscriber answers = own.subscribe<Answer>(topic, 5, count);
       for (int i = 0; running_ && i < 20; ++i) queue.callAvailable(ros::WallDuration(0.002));
     }
   }
@@ -66,8 +66,8 @@ private:
 /// does.
 /// @param name     of the node; its parameters are in its namespace
 /// @param prepare  what to do before each life, by its number
-template <class Node>
-void expectCleanLives(const std::string& name, int lives, const Traffic& traffic,
+template <class Node, class Answer>
+void expectCleanLives(const std::string& name, int lives, const Traffic<Answer>& traffic,
                       const std::function<void(int)>& prepare)
 {
   ros::CallbackQueue queue;

@@ -25,6 +25,27 @@ ObservedCellsPtr observedCells(const ros::Time& stamp, const std::string& frame)
   return cells;
 }
 
+PolygonArrayPtr boxAhead(const ros::Time& stamp, const std::string& frame)
+{
+  const auto box = [](float left, float bottom, float right, float top) {
+    geometry_msgs::Polygon polygon;
+    polygon.points.resize(4);
+    polygon.points[0].x = polygon.points[3].x = left;
+    polygon.points[1].x = polygon.points[2].x = right;
+    polygon.points[0].y = polygon.points[1].y = bottom;
+    polygon.points[2].y = polygon.points[3].y = top;
+    return polygon;
+  };
+  auto polygons = boost::make_shared<PolygonArray>();
+  polygons->header.stamp = stamp;
+  polygons->header.frame_id = frame;
+  polygons->floor_status = FloorPlane::FOUND;
+  polygons->extent = box(-5.0F, -5.0F, 5.0F, 5.0F);
+  polygons->polygons.resize(1);
+  polygons->polygons[0].boundary = box(1.0F, -1.0F, 2.0F, 1.0F);
+  return polygons;
+}
+
 tf2_msgs::TFMessage inOdom(const std::string& frame, const ros::Time& stamp)
 {
   tf2_msgs::TFMessage message;

@@ -2,6 +2,7 @@
 import scene
 from map_client import MapClient, observation
 from node_client import FOUND, NodeClient
+from path_client import PathClient, polygons
 
 
 class Perception:
@@ -45,7 +46,26 @@ class Map:
         return answer['polygons'].floor_status == FOUND and len(answer['polygons'].polygons) > 0
 
 
-SUBJECTS = {'perception': Perception, 'map': Map}
+class Path:
+    """The planner's node."""
+
+    NAME, OUTPUT, PROGRAM, NODELET = '/shortest_path', 'path', 'shortest_path_node', 'ShortestPath'
+    REMAPPED = {}
+    PARAMETERS = {'tf_timeout': 1.0}
+
+    def __init__(self, **options):
+        self.client = PathClient(**options)
+
+    @staticmethod
+    def messages(stamp):
+        return [polygons(stamp)]
+
+    @staticmethod
+    def is_good(answer):
+        return len(answer['path'].poses) == 4
+
+
+SUBJECTS = {'perception': Perception, 'map': Map, 'path': Path}
 
 
 def subject_of(kind, **options):

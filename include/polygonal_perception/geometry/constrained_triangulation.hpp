@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "polygonal_perception/export.hpp"
 #include "polygonal_perception/geometry/polygon_set.hpp"
@@ -46,6 +48,8 @@ private:
   };
   std::vector<Keyed> order_;
   std::vector<std::uint32_t> mesh_vertices_;  // of each vertex of the polygons
+  std::vector<std::uint32_t> scratch_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edge_scratch_;
 };
 
 }  // namespace polygonal_perception::geometry

@@ -78,7 +78,8 @@ private:
   bool has_obstacles_ = false;
   bool outside_is_free_ = true;
   std::vector<Eigen::Vector2d> extent_;
-  geometry::PolygonSet bounded_;  // the obstacles, and the extent as a hole in what else is blocked
+  std::vector<Eigen::Vector2d> around_;  // the extent, clockwise
+  geometry::PolygonSet bounded_;         // the obstacles, and the extent as a hole in what else is blocked
   FreeSpace space_;
   PathSearch search_;
   FreePlace start_;  // of the last plan, both free
