@@ -41,7 +41,7 @@ double millisecondsSince(Clock::time_point begin)
 std::vector<Answer> answers(PathMethod& method, const PathScene& scene, double seconds, double& preparation)
 {
   auto begin = Clock::now();
-  method.prepare(scene.obstacles);
+  method.prepare(scene);
   preparation = millisecondsSince(begin);
   const auto first = Clock::now();
   std::vector<Answer> result;

@@ -13,7 +13,6 @@ namespace polygonal_perception::evaluation {
 
 namespace {
 
-constexpr double kAround = 1.0;         // [m] of free cells
 constexpr unsigned char kLethal = 254;  // costmap_2d's
 
 class Navfn : public PathMethod
@@ -28,14 +27,13 @@ public:
     return text;
   }
 
-  void prepare(const geometry::PolygonSet& obstacles) override
+  void prepare(const PathScene& scene) override
   {
     planning::FreeSpace space;
-    space.build(obstacles);
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : obstacles.vertices) box.extend(p);
-    origin_ = box.min().array() - kAround;
-    const Eigen::Vector2d cells = (box.sizes().array() + 2.0 * kAround) / resolution_;
+    space.build(scene.obstacles);
+    const Eigen::AlignedBox2d box = scene.box();
+    origin_ = box.min();
+    const Eigen::Vector2d cells = box.sizes() / resolution_;
     columns_ = static_cast<int>(std::ceil(cells.x()));
     rows_ = static_cast<int>(std::ceil(cells.y()));
     costs_.assign(static_cast<std::size_t>(columns_) * rows_, 0);

@@ -19,16 +19,19 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kAround = 1.0;  // [m]
-constexpr double kStep = 0.02;   // [m] between looks along a line
+constexpr double kStep = 0.02;  // [m] between looks along a line
 
 class Ompl : public PathMethod
 {
 public:
   Ompl(OmplPlanner planner, double seconds) : planner_(planner), seconds_(seconds)
   {
-    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    ompl::RNG::setSeed(1);
+    static const bool kIsSeeded = [] {
+      ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+      ompl::RNG::setSeed(1);
+      return true;
+    }();
+    (void)kIsSeeded;
   }
 
   std::string name() const override
@@ -39,16 +42,15 @@ public:
     return text;
   }
 
-  void prepare(const geometry::PolygonSet& obstacles) override
+  void prepare(const PathScene& scene) override
   {
-    space_.build(obstacles);
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : obstacles.vertices) box.extend(p);
+    space_.build(scene.obstacles);
+    const Eigen::AlignedBox2d box = scene.box();
     const auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
     ob::RealVectorBounds bounds(2);
     for (int axis = 0; axis < 2; ++axis) {
-      bounds.setLow(axis, box.min()[axis] - kAround);
-      bounds.setHigh(axis, box.max()[axis] + kAround);
+      bounds.setLow(axis, box.min()[axis]);
+      bounds.setHigh(axis, box.max()[axis]);
     }
     plane->setBounds(bounds);
     plane->setLongestValidSegmentFraction(kStep / plane->getMaximumExtent());

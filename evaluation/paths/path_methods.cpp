@@ -15,9 +15,9 @@ class Triangulated : public PathMethod
 {
 public:
   std::string name() const override { return "this package"; }
-  void prepare(const geometry::PolygonSet& obstacles) override
+  void prepare(const PathScene& scene) override
   {
-    if (const auto refused = planner_.setObstacles(obstacles, {}, true))
+    if (const auto refused = planner_.setObstacles(scene.obstacles, {}, true))
       throw std::runtime_error(refused->text);
   }
   std::optional<double> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) override
@@ -42,7 +42,7 @@ class Plain : public PathMethod
 {
 public:
   std::string name() const override { return "Minimal Construct, plain"; }
-  void prepare(const geometry::PolygonSet& obstacles) override { planner_.emplace(obstacles); }
+  void prepare(const PathScene& scene) override { planner_.emplace(scene.obstacles); }
   std::optional<double> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) override
   {
     return planner_->plan(start, goal);

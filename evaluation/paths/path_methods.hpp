@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polygonal_perception/geometry/polygon_set.hpp"
+#include "paths/path_scenes.hpp"
 
 namespace polygonal_perception::evaluation {
 
@@ -17,8 +17,8 @@ public:
   virtual ~PathMethod() = default;
 
   virtual std::string name() const = 0;
-  /// Takes obstacles in, which outlive the queries.
-  virtual void prepare(const geometry::PolygonSet& obstacles) = 0;
+  /// Takes the obstacles of a scene in, which outlives its queries.
+  virtual void prepare(const PathScene& scene) = 0;
   /// @return the length of a path [m]; nothing where none was found
   virtual std::optional<double> plan(const Eigen::Vector2d& start, const Eigen::Vector2d& goal) = 0;
   /// Of the last plan: edges of the visibility graph that were made; 0 where there is no such graph.

@@ -25,6 +25,14 @@ struct PathScene
   std::vector<PathQuery> queries;
 
   std::size_t edges() const { return obstacles.vertices.size(); }
+  /// [m] Of obstacles, starts and goals, and some room around them for methods that need an end of the world.
+  Eigen::AlignedBox2d box() const
+  {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : obstacles.vertices) box.extend(p);
+    for (const PathQuery& query : queries) box.extend(query.start).extend(query.goal);
+    return {box.min().array() - 1.0, box.max().array() + 1.0};
+  }
 };
 
 /// Hexagons of all sizes, each in a cell of its own, with about that many edges in all.

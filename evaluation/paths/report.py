@@ -57,7 +57,7 @@ def grouped(rows):
 
 def table(groups):
     print('| scene | edges | method | queries | median [ms] | 95 % [ms] | taking in [ms] | longer: mean [%] | at most [%] | ways missed | made up '
-          '| graph made [%] |')
+          '| lines / graph [%] |')
     print('| --- | --: | --- | --: | --: | --: | --: | --: | --: | --: | --: | --: |')
     for (family, _, method), group in sorted(groups.items(), key=lambda item: (item[0][0] not in MADE_UP, item[0][:2])):
         if not group.times:

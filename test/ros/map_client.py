@@ -40,20 +40,15 @@ def observation(stamp, frame='odom', hits=(), everything_seen=True):
     return m
 
 
-class MapClient(NodeClient):
-    """Talks to a map's node of one source, whose robot stands in the middle of odom for all times."""
+class StandingClient(NodeClient):
+    """Talks to a node whose robot stands in the middle of odom for all times."""
 
-    OUTPUTS = {'observed_grid': OccupancyGrid, 'occupancy_grid': OccupancyGrid, 'inflated_grid': OccupancyGrid,
-               'polygons': PolygonArray, 'markers': MarkerArray}
     SHARED_TOPICS = ('/rosout', '/diagnostics')
-
-    def __init__(self, outputs=('occupancy_grid', 'polygons'), node='/polygon_map', runs=True):
-        super().__init__(outputs, node, runs=runs)
 
     def _advertise(self):
         self.place = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self.place.publish(TFMessage([transform(rospy.Time.now(), 'base_link')]))
-        return [rospy.Publisher('/observed_cells', ObservedCells, queue_size=10)]
+        return self._advertise_inputs()
 
     def wait_connected(self):
         super().wait_connected()
@@ -62,3 +57,17 @@ class MapClient(NodeClient):
     def close(self):
         super().close()
         self.place.unregister()
+
+
+class MapClient(StandingClient):
+    """Talks to a map's node of one source."""
+
+    OUTPUTS = {'observed_grid': OccupancyGrid, 'occupancy_grid': OccupancyGrid, 'inflated_grid': OccupancyGrid,
+               'polygons': PolygonArray, 'markers': MarkerArray}
+
+    def __init__(self, outputs=('occupancy_grid', 'polygons'), node='/polygon_map', runs=True):
+        super().__init__(outputs, node, runs=runs)
+
+    @staticmethod
+    def _advertise_inputs():
+        return [rospy.Publisher('/observed_cells', ObservedCells, queue_size=10)]

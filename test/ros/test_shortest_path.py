@@ -10,23 +10,19 @@ import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import Point32, PointStamped, Polygon, PoseStamped, TransformStamped
+from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped
 from nav_msgs.msg import Path
 from nav_msgs.srv import GetPlan
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 from launched import program
-from polygonal_perception.msg import FloorPlane, ObstaclePolygon, PlanStatus, PolygonArray
+from path_client import polygons
+from polygonal_perception.msg import FloorPlane, PlanStatus, PolygonArray
 from waiting import DEADLINE, wait_for
 
 NODE = '/shortest_path'
 BOX = ((1.0, -1.0), (2.0, -1.0), (2.0, 3.0), (1.0, 3.0))
-EXTENT = ((-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0))
-
-
-def polygon(ring):
-    return Polygon(points=[Point32(x, y, 0.0) for x, y in ring])
 
 
 def transform(parent, child, x, y, yaw, stamp):
@@ -86,14 +82,13 @@ class ShortestPathTest(unittest.TestCase):
         ShortestPathTest.stamp += rospy.Duration(1.0)
         return ShortestPathTest.stamp
 
-    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', extent=EXTENT, stamp=None):
+    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', stamp=None):
         """Sends polygons and the robot's place, and returns the answers to them."""
         stamp = stamp or self.tick()
         if robot:
             self.tf.publish(TFMessage([transform('odom', 'base_link', *robot, stamp=stamp)]))
-        message = PolygonArray(floor_status=status, inflation_radius=0.3, extent=polygon(extent))
-        message.header.stamp, message.header.frame_id = stamp, frame
-        message.polygons = [ObstaclePolygon(boundary=polygon(box)) for box in boxes]
+        message = polygons(stamp, frame, boxes)
+        message.floor_status = status
         self.polygons.publish(message)
         answers = self.answers.setdefault(stamp.to_nsec(), {})
         wait_for(self.condition, lambda: len(answers) == 3, 'path, status and markers',
