@@ -4,6 +4,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "polygonal_perception/geometry/distance.hpp"
 #include "polygonal_perception/geometry/location.hpp"
 
 namespace polygonal_perception::evaluation {
@@ -23,11 +24,8 @@ constexpr double kBehind = 0.5;
 double distanceTo(const std::vector<Eigen::Vector2d>& path, const Eigen::Vector2d& point)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Eigen::Vector2d along = path[i + 1] - path[i];
-    const double share = std::clamp((point - path[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (path[i] + share * along - point).norm());
-  }
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    least = std::min(least, (geometry::nearestOnSegment(point, path[i], path[i + 1]) - point).norm());
   return least;
 }
 

@@ -4,24 +4,11 @@
 #include <limits>
 
 #include "planning/interval_length.hpp"
+#include "polygonal_perception/geometry/distance.hpp"
 
 namespace polygonal_perception::planning {
 
 using geometry::TriangleMesh;
-
-namespace {
-
-/// The point of a segment that is nearest to another point.
-Eigen::Vector2d nearestOn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                          const Eigen::Vector2d& point)
-{
-  const Eigen::Vector2d along = to - from;
-  const double square = along.squaredNorm();
-  if (square == 0.0) return from;
-  return from + std::clamp((point - from).dot(along) / square, 0.0, 1.0) * along;
-}
-
-}  // namespace
 
 void SideKeeper::makeGuide(const TriangleMesh& mesh, const Sleeve& sleeve,
                            const std::vector<Eigen::Vector2d>& path, std::vector<Eigen::Vector2d>& guide)
@@ -51,7 +38,7 @@ std::optional<double> SideKeeper::follow(const FreeSpace& space, const FreePlace
   Eigen::Vector2d nearest = guide.front();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < guide.size(); ++i) {
-    const Eigen::Vector2d place = nearestOn(guide[i], guide[i + 1], start.point);
+    const Eigen::Vector2d place = geometry::nearestOnSegment(start.point, guide[i], guide[i + 1]);
     const double distance = (place - start.point).squaredNorm();
     if (distance > least) continue;
     least = distance;
@@ -62,7 +49,7 @@ std::optional<double> SideKeeper::follow(const FreeSpace& space, const FreePlace
   line_.insert(line_.end(), guide.begin() + static_cast<std::ptrdiff_t>(ahead), guide.end() - 1);
   line_.push_back(goal.point);
   line_.erase(std::unique(line_.begin(), line_.end()), line_.end());
-  if (!tracer_.trace(space, start, line_, sleeve)) return std::nullopt;
+  if (!tracer_.trace(space, start, goal, line_, sleeve)) return std::nullopt;
   return taut_path_.pull(space.mesh(), sleeve, start.point, goal.point, path);
 }
 

@@ -9,12 +9,12 @@ using geometry::orientation;
 using geometry::Orientation;
 using geometry::TriangleMesh;
 
-bool SleeveTracer::trace(const FreeSpace& space, const FreePlace& start,
+bool SleeveTracer::trace(const FreeSpace& space, const FreePlace& start, const FreePlace& goal,
                          const std::vector<Eigen::Vector2d>& line, Sleeve& sleeve)
 {
   sleeve.clear();
   const auto first = firstTriangle(space, start, line.size() > 1 ? line[1] : line[0]);
-  if (!first || !crossTriangles(space.mesh(), *first, line)) return false;
+  if (!first || !crossTriangles(space.mesh(), *first, goal.half_edge, line)) return false;
   sleeve.first = *first;
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
     if (space.isOpen(crossings_[i].half_edge)) {
@@ -45,7 +45,7 @@ std::optional<std::uint32_t> SleeveTracer::firstTriangle(const FreeSpace& space,
   return first;
 }
 
-bool SleeveTracer::crossTriangles(const TriangleMesh& mesh, std::uint32_t first,
+bool SleeveTracer::crossTriangles(const TriangleMesh& mesh, std::uint32_t first, std::uint32_t last,
                                   const std::vector<Eigen::Vector2d>& line)
 {
   crossings_.clear();
@@ -57,7 +57,10 @@ bool SleeveTracer::crossTriangles(const TriangleMesh& mesh, std::uint32_t first,
     const auto isRight = [&](std::uint32_t vertex) {
       return orientation(from, to, mesh.vertices[vertex]) == Orientation::kClockwise;
     };
+    const bool is_last = i + 2 == line.size();
     for (;;) {
+      // A goal on an obstacle's border may lie beyond it by rounding.
+      if (is_last && TriangleMesh::triangleOf(at) == TriangleMesh::triangleOf(last)) break;
       bool has_arrived = true;
       std::uint32_t crossed = TriangleMesh::kNone;
       for (int side = 0; side < 3; ++side, at = TriangleMesh::next(at)) {

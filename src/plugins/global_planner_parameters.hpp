@@ -19,7 +19,7 @@ struct GlobalPlannerParameters
   static void describe(Self& self, Visitor&& visit)
   {
     visit("timeout", self.timeout, parameters::Range{0.0, 3600.0}, "s",
-          "There is no plan on polygons that are older.");
+          "There is no plan on polygons that are older, or as much ahead of the clock.");
     planning::PathParameters::describe(self.path, visit);
   }
 

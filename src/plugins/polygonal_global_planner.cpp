@@ -4,6 +4,7 @@
 #include <polygonal_perception/PlanStatus.h>
 #include <ros/this_node.h>
 
+#include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/dense_plan.hpp"
@@ -37,6 +38,10 @@ void PolygonalGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DR
 {
   if (members_) {
     ROS_WARN_STREAM(name << ": is initialised already");
+    return;
+  }
+  if (costmap_ros == nullptr) {
+    ROS_ERROR_STREAM(name << ": there is no costmap, which has the frame of plans");
     return;
   }
   auto members = std::make_unique<Members>(ros::NodeHandle("~/" + name), costmap_ros);
@@ -114,8 +119,10 @@ std::string PolygonalGlobalPlanner::findPlan(const geometry_msgs::PoseStamped& s
   status = PlanStatus::NO_POLYGONS;
   if (!m.planner.polygons()) return "no polygons have come on " + m.inputs.topic();
   const double age = ros::Time::now().toSec() - m.planner.polygons()->header.stamp.toSec();
-  if (age > parameters.timeout)
-    return "the newest polygons are " + parameters::numberText(age) + " s old, accepted are " +
+  // Those of a clock that is ahead would stay new for as long.
+  if (std::abs(age) > parameters.timeout)
+    return "the newest polygons are " + parameters::numberText(std::abs(age)) +
+           (age > 0.0 ? " s old" : " s ahead of the clock") + ", accepted are " +
            parameters::numberText(parameters.timeout) + " s";
   if (const std::string error = m.planner.takeIn(); !error.empty()) return error;
   const auto from = m.planner.locate(start);

@@ -182,7 +182,7 @@ TEST_P(KeptSides, ALineAmongObstaclesIsPulledTautOnItsSideOfEach)
       guide.insert(guide.end(), guide_on.begin() + 1, guide_on.end());
       planning::SleeveTracer tracer;
       planning::TautPath taut_path;
-      if (!tracer.trace(world.space, *start, guide, sleeve)) {
+      if (!tracer.trace(world.space, *start, *goal, guide, sleeve)) {
         ADD_FAILURE() << "no sleeve " << text(world.obstacles, guide);
         return;
       }

@@ -217,6 +217,28 @@ TEST_F(KeepSideTest, ARobotThatIsUnderWayKeepsItsSideOfWhatIsAhead)
   EXPECT_EQ(side({6, 0}, {6, 0}), 0.0);
 }
 
+TEST_F(KeepSideTest, AGoalInAnObstacleIsReachedOnTheLastSideToo)
+{
+  // Beside slanted borders, on which the nearest points lie but for rounding.
+  const Eigen::Vector2d goal(2.35, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    Ring slanted;
+    for (int k = 0; k < 4; ++k)
+      slanted.emplace_back(3.0 + std::cos(0.01 * i + k * M_PI / 2.0), std::sin(0.01 * i + k * M_PI / 2.0));
+    setBoxes({box(-0.5, -1, 0.5, 1), slanted});
+    for (const double above : {0.3, -0.3}) {
+      guide_.clear();
+      planner_.makePlan({-2, above}, goal, 1.0, plan_);
+      planner_.keepSide(1.0, guide_, plan_);
+      const bool passes_above = plan_.path[1].y() > 0.0;
+      planner_.makePlan({-2, -above}, goal, 1.0, plan_);
+      planner_.keepSide(1.0, guide_, plan_);
+      ASSERT_GT(plan_.goal_shift, 0.0);
+      ASSERT_EQ(plan_.path[1].y() > 0.0, passes_above) << "turned by " << 0.01 * i << ", from " << -above;
+    }
+  }
+}
+
 TEST_F(KeepSideTest, AStartInAnObstacleLeavesItFirst)
 {
   setBoxes({box(-0.5, -1, 0.5, 1)});

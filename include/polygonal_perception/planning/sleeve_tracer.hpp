@@ -16,11 +16,11 @@ namespace polygonal_perception::planning {
 class POLYGONAL_PERCEPTION_EXPORT SleeveTracer
 {
 public:
-  /// @param line    [m] from the start's point to the end's
+  /// @param line    [m] from the start's point to the goal's
   /// @param sleeve  replaced
   /// @return false: it has none, for it cuts an obstacle that fills the way from wall to wall, or bends exactly in a vertex
-  bool trace(const FreeSpace& space, const FreePlace& start, const std::vector<Eigen::Vector2d>& line,
-             Sleeve& sleeve);
+  bool trace(const FreeSpace& space, const FreePlace& start, const FreePlace& goal,
+             const std::vector<Eigen::Vector2d>& line, Sleeve& sleeve);
 
 private:
   /// An edge that the line crosses, free or not, and where.
@@ -38,7 +38,7 @@ private:
 
   std::optional<std::uint32_t> firstTriangle(const FreeSpace& space, const FreePlace& start,
                                              const Eigen::Vector2d& towards) const;
-  bool crossTriangles(const geometry::TriangleMesh& mesh, std::uint32_t first,
+  bool crossTriangles(const geometry::TriangleMesh& mesh, std::uint32_t first, std::uint32_t last,
                       const std::vector<Eigen::Vector2d>& line);
   bool goRound(const FreeSpace& space, const Crossing& entry, const Crossing& exit, Sleeve& sleeve);
   static bool followBorder(const FreeSpace& space, const Crossing& entry, const Crossing& exit, bool forward,

@@ -20,7 +20,8 @@ double yawOf(const Eigen::Matrix3d& rotation)
 bool hasOrientation(const geometry_msgs::Pose& pose)
 {
   const auto& q = pose.orientation;
-  return std::abs(q.x) + std::abs(q.y) + std::abs(q.z) + std::abs(q.w) > 0.0;
+  const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return square > 0.0 && std::isfinite(square);  // of numbers that are none it is none
 }
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Pose& pose)
