@@ -41,6 +41,9 @@ PathScene clutterScene(std::size_t edges);
 PathScene officeScene(std::size_t edges);
 /// The polygons of single frames of a simulated drive through an office, one scene a frame, and last the map after it.
 std::vector<PathScene> drivenScenes();
+/// The polygons after each frame of that drive, three a second, with somebody walking about: the map's, or only what that
+/// frame shows.
+std::vector<geometry::PolygonSet> drivenPolygons(bool remembers);
 /// The map of arena.json with its queries, and the worlds of barn.json, a query each.
 /// @param folder  that has these files
 /// @throws std::runtime_error that says what cannot be read

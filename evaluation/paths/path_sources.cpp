@@ -87,20 +87,24 @@ std::vector<PathScene> drivenScenes()
 {
   constexpr std::size_t kEvery = 6;  // frames
   std::vector<PathScene> scenes;
+  auto frames = drivenPolygons(false);
+  for (std::size_t i = 0; i < frames.size(); i += kEvery)
+    if (!frames[i].rings.empty()) scenes.push_back({"our frames", std::move(frames[i]), {}});
+  scenes.push_back({"our maps", drivenPolygons(true).back(), {}});
+  return scenes;
+}
+
+std::vector<geometry::PolygonSet> drivenPolygons(bool remembers)
+{
+  std::vector<geometry::PolygonSet> polygons;
   mapping::PolygonMap map{mapping::PolygonMap::Parameters{}};
   double stamp = 0.0;
-  const auto frames = reference::observedDrive();
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  for (const reference::ObservedFrame& frame : reference::observedDrive()) {
     stamp += 1.0 / 3.0;
-    PathScene whole{"our maps", polygonsOf(map, frames[i], stamp), {}};
-    if (i % kEvery == 0) {
-      mapping::PolygonMap one{mapping::PolygonMap::Parameters{}};
-      scenes.push_back({"our frames", polygonsOf(one, frames[i], stamp), {}});
-      if (scenes.back().edges() == 0) scenes.pop_back();
-    }
-    if (i + 1 == frames.size()) scenes.push_back(std::move(whole));
+    if (!remembers) map = mapping::PolygonMap{mapping::PolygonMap::Parameters{}};
+    polygons.push_back(polygonsOf(map, frame, stamp));
   }
-  return scenes;
+  return polygons;
 }
 
 std::vector<PathScene> publicScenes(const std::string& folder)

@@ -84,25 +84,18 @@ Orientation expandedOrientation(const Eigen::Vector2d& a, const Eigen::Vector2d&
 
 }  // namespace
 
-Orientation orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+Orientation exactOrientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
-  // Shewchuk's ccwerrboundA: the sum of the products' magnitudes times this bounds the rounding error.
-  constexpr double kHalfUlp = 0x1p-53;
-  constexpr double kErrorBound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp;
-
   const Exact ax = sum(a.x(), -c.x());
   const Exact ay = sum(a.y(), -c.y());
   const Exact bx = sum(b.x(), -c.x());
   const Exact by = sum(b.y(), -c.y());
-  const double left = ax.value * by.value;
-  const double right = ay.value * bx.value;
-  const double determinant = left - right;
-  if (std::abs(determinant) > kErrorBound * (std::abs(left) + std::abs(right))) return signOf(determinant);
-
   // Points of a grid mostly have exact differences, and many of them lie on a line. Rounding keeps the order
   // of two products; where it makes them equal their errors decide.
   if (ax.error == 0.0 && ay.error == 0.0 && bx.error == 0.0 && by.error == 0.0) {
-    if (left != right) return signOf(determinant);
+    const double left = ax.value * by.value;
+    const double right = ay.value * bx.value;
+    if (left != right) return signOf(left - right);
     return signOf(product(ax.value, by.value).error - product(ay.value, bx.value).error);
   }
   return expandedOrientation(a, b, c);

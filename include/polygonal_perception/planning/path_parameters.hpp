@@ -17,8 +17,8 @@ struct PathParameters
   /// As far as polygons have grown by default (robot_radius): a goal at a wall becomes the nearest point before it.
   double goal_tolerance = 0.3;  ///< [m]
   std::string outside = "free";
-  /// More than the lengths of two ways differ by from frame to frame, and little enough for nobody to mind the detour. What it
-  /// is worth has not been measured yet.
+  /// More than the lengths of two ways differ by from frame to frame, and little enough for nobody to mind the detour
+  /// (doc/side_ablation.md): before a robot that stands it halves the jumps.
   double side_hysteresis = 0.1;
 
   bool outsideIsFree() const { return outside == "free"; }

@@ -19,7 +19,8 @@ class POLYGONAL_PERCEPTION_EXPORT SideKeeper
 public:
   /// [m] How far a guide keeps from corners, where there is room for it. Polygons are drawn anew in each frame, and their
   /// borders move by a cell or two (0.05 to 0.1 m). Where a border has passed the guide nevertheless, it is led round on the
-  /// shorter side, which is nearly always right.
+  /// shorter side, which is nearly always right. doc/side_ablation.md has what
+  /// other values do.
   static constexpr double kClearance = 0.25;
 
   /// @param path   through the sleeve
