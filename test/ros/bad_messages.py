@@ -1,7 +1,10 @@
 """Ways to spoil a message, by name; where it is to be refused, with the text that says why."""
 import numpy as np
 import rospy
+from geometry_msgs.msg import Point32, Polygon
 from sensor_msgs.msg import PointField
+
+from polygonal_perception.msg import ObstaclePolygon
 
 LARGEST = 2 ** 32 - 1
 NAN, INFINITY = float('nan'), float('inf')
@@ -174,6 +177,49 @@ CELLS = {
     'a_rotation_of_nan': (within('info.origin.orientation', z=NAN), 'info.origin is no pose'),
     'a_rotation_too_long': (within('info.origin.orientation', w=2.0), 'info.origin is no pose'),
     'a_frame_nobody_knows': (set_to(header_frame_id='nowhere'), "no transform from 'nowhere' to 'odom'"),
+    'a_stamp_of_0': (set_to(header_stamp=rospy.Time()), 'header.stamp is 0'),
+}
+
+
+def vertex(index, **values):
+    """Of the first polygon's boundary, which runs from (1, -1) to the right."""
+    def spoil(array):
+        set_to(**values)(array.polygons[0].boundary.points[index])
+    return spoil
+
+
+def boundary(change):
+    """Its vertices."""
+    def spoil(array):
+        ring = array.polygons[0].boundary
+        ring.points = change(ring.points)
+    return spoil
+
+
+def hole(change):
+    """One with the boundary's vertices."""
+    def spoil(array):
+        array.polygons[0].holes = [Polygon(change(array.polygons[0].boundary.points))]
+    return spoil
+
+
+# Of these a planner's status tells the text.
+POLYGONS = {
+    **{'a_vertex_at_%s' % v: (vertex(1, x=v), 'polygon 0: the boundary has a coordinate that is not finite, in vertex 1')
+       for v in (NAN, INFINITY, -INFINITY)},
+    'a_height_of_nan': (vertex(2, z=NAN), 'not finite, in vertex 2'),
+    'a_vertex_too_far_away': (vertex(1, x=1e9), 'has a number that is not 0 or from 10^-100 to 10^8 m'),
+    'two_vertices': (boundary(lambda points: points[:2]), 'polygon 0: the boundary has 2 vertices, fewer than 3'),
+    'no_vertices': (boundary(lambda points: []), 'polygon 0: the boundary has 0 vertices, fewer than 3'),
+    'a_clockwise_boundary': (boundary(lambda points: points[::-1]), 'ring 0, a boundary, runs clockwise'),
+    'a_hole_of_two_vertices': (hole(lambda points: points[:2]), 'polygon 0: hole 0 has 2 vertices, fewer than 3'),
+    'a_hole_beside_its_boundary': (hole(lambda points: [Point32(p.x + 5.0, p.y, 0.0) for p in points[::-1]]),
+                                   'a hole lies outside of its boundary'),
+    'a_second_polygon_of_one_vertex': (lambda array: array.polygons.append(ObstaclePolygon(Polygon(array.extent.points[:1]), [])),
+                                       'polygon 1: the boundary has 1 vertices, fewer than 3'),
+    'no_floor': (lambda array: (set_to(floor_status=0)(array), array.polygons.clear()), 'without a floor nobody knows what stands where'),
+    'a_frame_nobody_knows': (set_to(header_frame_id='nowhere'), "no transform from 'base_link' to 'nowhere'"),
+    'no_frame': (set_to(header_frame_id=''), 'header.frame_id is empty, accepted is the name of a tf frame'),
     'a_stamp_of_0': (set_to(header_stamp=rospy.Time()), 'header.stamp is 0'),
 }
 

@@ -24,6 +24,12 @@ def polygons(stamp, frame='odom', boxes=(BOX,)):
     return m
 
 
+def goal_at(x, frame='odom'):
+    goal = PoseStamped()
+    goal.header.frame_id, goal.pose.position.x, goal.pose.orientation.w = frame, x, 1.0
+    return goal
+
+
 class PathClient(StandingClient):
     """Talks to a planner whose robot wants to get beyond the box."""
 
@@ -34,9 +40,7 @@ class PathClient(StandingClient):
 
     def _advertise_inputs(self):
         self.goal = rospy.Publisher('/goal', PoseStamped, queue_size=1, latch=True)
-        goal = PoseStamped()
-        goal.header.frame_id, goal.pose.position.x, goal.pose.orientation.w = 'odom', 3.0, 1.0
-        self.goal.publish(goal)
+        self.goal.publish(goal_at(3.0))
         return [rospy.Publisher('/polygons', PolygonArray, queue_size=10)]
 
     def close(self):

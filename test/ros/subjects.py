@@ -69,5 +69,6 @@ SUBJECTS = {'perception': Perception, 'map': Map, 'path': Path}
 
 
 def subject_of(kind, **options):
-    """@param kind  of input: cloud, depth or cells"""
-    return Map(**options) if kind == 'cells' else Perception(depth=kind == 'depth', **options)
+    """@param kind  of input: cloud, depth, cells or polygons"""
+    others = {'cells': Map, 'polygons': Path}
+    return others[kind](**options) if kind in others else Perception(depth=kind == 'depth', **options)

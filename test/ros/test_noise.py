@@ -8,7 +8,7 @@ import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import TransformStamped
+from geometry_msgs.msg import Point32, Polygon, TransformStamped
 from tf2_msgs.msg import TFMessage
 
 import scene
@@ -35,6 +35,13 @@ def noise(kind, rng):
     return Noise()
 
 
+def spoil_ring(ring, rng):
+    ring.points = ring.points[rng.randint(0, 2):] + rng.choice([[], ring.points])
+    if ring.points:
+        k = rng.randrange(len(ring.points))
+        ring.points[k] = Point32(*(rng.choice(SINGLES + [1.5, 3.0]) for _ in range(3)))
+
+
 def spoil(message, rng):
     """Gives some of the fields values of their types that make no sense."""
     for _ in range(rng.randint(1, 3)):
@@ -58,6 +65,14 @@ def spoil(message, rng):
             field.offset, field.datatype, field.count = rng.choice(SIZES), rng.randint(0, 9), rng.choice([0, 1, 2])
         elif name == 'slab_height':
             message.slab_height = rng.choice(SINGLES)
+        elif name == 'inflation_radius':
+            message.inflation_radius = rng.choice(NUMBERS)
+        elif name == 'extent':
+            spoil_ring(value, rng)
+        elif name == 'polygons':
+            for polygon in value:
+                polygon.holes = [Polygon(list(polygon.boundary.points)) for _ in range(rng.randint(0, 2))]
+                spoil_ring(rng.choice([polygon.boundary, *polygon.holes]), rng)
         elif name == 'info':
             value.width, value.height, value.resolution = rng.choice(SIZES), rng.choice(SIZES), rng.choice(SINGLES)
             value.origin.position.x, value.origin.orientation.z = rng.choice(NUMBERS), rng.choice(NUMBERS)

@@ -16,6 +16,7 @@ from nav_msgs.srv import GetPlan
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
+from bad_messages import POLYGONS
 from launched import program
 from path_client import polygons
 from polygonal_perception.msg import FloorPlane, PlanStatus, PolygonArray
@@ -82,15 +83,18 @@ class ShortestPathTest(unittest.TestCase):
         ShortestPathTest.stamp += rospy.Duration(1.0)
         return ShortestPathTest.stamp
 
-    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', stamp=None):
+    def ask(self, boxes=(BOX,), robot=(0.0, 0.0, 0.0), status=FloorPlane.FOUND, frame='odom', stamp=None, spoil=None):
         """Sends polygons and the robot's place, and returns the answers to them."""
         stamp = stamp or self.tick()
         if robot:
             self.tf.publish(TFMessage([transform('odom', 'base_link', *robot, stamp=stamp)]))
         message = polygons(stamp, frame, boxes)
         message.floor_status = status
+        if spoil:
+            spoil(message)
+        # Time may have been here before.
+        answers = self.answers[message.header.stamp.to_nsec()] = {}
         self.polygons.publish(message)
-        answers = self.answers.setdefault(stamp.to_nsec(), {})
         wait_for(self.condition, lambda: len(answers) == 3, 'path, status and markers',
                  seen=lambda: '; there are %s' % sorted(answers))
         return answers
@@ -168,6 +172,11 @@ class ShortestPathTest(unittest.TestCase):
             self.assertIn(text, answer['status'].message)
             self.assertEqual(answer['path'].poses, [])
         self.assertEqual(self.ask()['status'].status, PlanStatus.OK)
+        for name, (spoil, text) in POLYGONS.items():
+            status = self.ask(spoil=spoil)['status']
+            self.assertIn(text, status.message, name)
+            self.assertNotEqual(status.status, PlanStatus.OK, name)
+            self.assertEqual(self.ask()['status'].status, PlanStatus.OK, 'after ' + name)
 
     def test_71_a_stamp_at_the_end_of_its_range_ends_nothing(self):
         # tf's error has how far it is away, which no ros::Duration holds.

@@ -23,15 +23,15 @@ PlanMaker::PlanMaker(const ShortestPathParameters& parameters, const PlanOutputs
 
 bool PlanMaker::process(const PolygonArrayConstPtr& polygons, bool may_wait)
 {
-  if (const std::string error = ros_common::frameIdError(polygons->header.frame_id); !error.empty()) {
-    statistics_.rejected(error);
-    log_.error("frame", error);
-    return true;
-  }
   const ros::Time& stamp = polygons->header.stamp;
-  if (stamps_.jumpsBack(stamp)) resetTime("stamps of the polygons");
+  const std::string frame_error = ros_common::frameIdError(polygons->header.frame_id);
+  if (frame_error.empty() && stamps_.jumpsBack(stamp)) resetTime("stamps of the polygons");
   planner_.setPolygons(polygons);
   plan_ = planning::Plan();
+  if (!frame_error.empty()) {
+    refuse(PlanStatus::NO_POLYGONS, "frame", frame_error);
+    return true;
+  }
   if (!outputs_.hasReaders()) {
     stamps_.take(stamp);
     statistics_.answered(times_, Clock::duration::zero());
