@@ -1,0 +1,251 @@
+#include "polygonal_perception/planning/dynamic_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planning/surroundings.hpp"
+#include "polygonal_perception/geometry/angle.hpp"
+
+namespace polygonal_perception::planning {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The velocity follows a command in so many steps of a period: of 10 ms at 20 Hz, a millimetre beside the true curve at most.
+constexpr int kRampSteps = 5;
+// Braking among what moves is a chain of so many arcs of equal duration.
+constexpr int kBrakingArcs = 8;
+// How many places of an arc are looked at: the robot may leave it in each of them.
+constexpr int kPlaces = 10;
+
+double wrapped(double angle)
+{
+  return std::remainder(angle, geometry::kTwoPi);
+}
+
+/// Where a component of the velocity is looked at: from the least to the greatest, 0 and the present one included.
+void sample(double low, double high, int count, double present, std::vector<double>& values)
+{
+  values.clear();
+  for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / std::max(1, count - 1));
+  values.push_back(0.0);
+  values.push_back(std::clamp(present, low, high));
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+double meanOf(double value, double target, double limit, double duration)
+{
+  const double ramp = limit > 0.0 ? std::abs(target - value) / limit : 0.0;
+  if (ramp <= duration) return target - 0.5 * (target - value) * ramp / duration;
+  return value + std::copysign(0.5 * limit * duration, target - value);
+}
+
+}  // namespace
+
+DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<MovingEdge>& standing,
+                                    const std::vector<MovingEdge>& moving,
+                                    const std::vector<Eigen::Vector2d>& path, double goal_yaw, double period)
+{
+  tried_.clear();
+  path_.setPath(path);
+  lookAround(state, standing, moving);
+  if ((path_.goal() - state.pose.position).norm() <= parameters_.xy_goal_tolerance)
+    return turnOrStand(state, goal_yaw, period);
+
+  DriveDecision best;
+  best.command = brake(state.velocity, period);
+  if (is_run_over_) return best;
+  double least = kInfinity;
+  chooseTargets(state.velocity);
+  // Slow enough to stop at the goal.
+  const double rest = path_.from(state.pose.position, 0.0).length;
+  const double approach = std::sqrt(2.0 * parameters_.robot.acc_lim_x * rest);
+  for (const Twist& target : targets_) {
+    if (target.speed() > approach) continue;
+    const Followed followed = follow(state, target, period);
+    if (!followed.is_safe) continue;
+    const Arc arc(state.pose, mean(state.velocity, target, parameters_.sim_time));
+    const double contact = timeToCollision(arc);
+    const double duration =
+        std::max(0.0, std::min(parameters_.sim_time, contact - 0.5 * parameters_.robot.brakingTime(target)));
+    tried_.push_back({arc, duration});
+    const double value = is_inside_ ? -outward_.dot(arc.speed() * arc.direction())
+                                    : cost(arc, duration) + changeCost(state.velocity, target);
+    if (!(value < least)) continue;
+    least = value;
+    best.outcome = DriveDecision::Outcome::kDriving;
+    best.command = target;
+    best.time_to_collision = contact;
+  }
+  if (best.outcome == DriveDecision::Outcome::kDriving) {
+    // What it reaches within the period: a base that knows no limits must not do more.
+    best.command = parameters_.robot.follow(state.velocity, best.command, period);
+  }
+  return best;
+}
+
+void DynamicWindow::lookAround(const RobotState& state, const std::vector<MovingEdge>& standing,
+                               const std::vector<MovingEdge>& moving)
+{
+  const RobotModel& robot = parameters_.robot;
+  const double fastest =
+      std::hypot(std::max(robot.max_vel_x, -robot.min_vel_x), std::max(robot.max_vel_y, -robot.min_vel_y));
+  const double horizon = parameters_.sim_time + 1.0 + robot.brakingTime(state.velocity);
+  const double reach = std::max(fastest, state.velocity.speed()) * horizon;
+  standing_.setEdges(standing, state.pose.position, reach, horizon);
+  moving_.setEdges(moving, state.pose.position, reach, horizon);
+  const Surroundings around = surroundings(state.pose.position, standing);
+  is_inside_ = around.depth > ContactSearch::kAtBorder;
+  outward_ = around.outward;
+  is_run_over_ = surroundings(state.pose.position, moving).depth > ContactSearch::kAtBorder;
+}
+
+void DynamicWindow::chooseTargets(const Twist& velocity)
+{
+  const Parameters& p = parameters_;
+  std::vector<double> x, y, theta;
+  sample(p.robot.min_vel_x, p.robot.max_vel_x, p.vx_samples, velocity.x, x);
+  sample(p.robot.min_vel_y, p.robot.max_vel_y, p.robot.max_vel_y > p.robot.min_vel_y ? p.vy_samples : 1,
+         velocity.y, y);
+  sample(-p.robot.max_vel_theta, p.robot.max_vel_theta, p.vth_samples, velocity.theta, theta);
+  targets_.clear();
+  for (const double vx : x)
+    for (const double vy : y)
+      for (const double w : theta) targets_.push_back({vx, vy, w});
+}
+
+DynamicWindow::Followed DynamicWindow::follow(const RobotState& state, const Twist& command,
+                                              double period) const
+{
+  Followed result{state.pose, state.velocity, true};
+  const double step = period / kRampSteps;
+  for (int i = 0; i < kRampSteps && result.is_safe; ++i) {
+    result.velocity = parameters_.robot.follow(result.velocity, command, step);
+    const Arc arc(result.pose, result.velocity, i * step);
+    const double end = (i + 1) * step;
+    result.is_safe = isFree(arc, end) && (!is_inside_ || leadsOut(arc, end));
+    result.pose = arc.pose(end);
+  }
+  result.is_safe = result.is_safe && canStop(result.pose, result.velocity, period);
+  return result;
+}
+
+bool DynamicWindow::canStop(const Pose& pose, const Twist& velocity, double begin) const
+{
+  const double duration = parameters_.robot.brakingTime(velocity);
+  if (!(duration < kInfinity)) return false;
+  // Along the arc as far as in half of that time without braking.
+  const Arc arc(pose, velocity, begin);
+  const double until = begin + 0.5 * duration;
+  if (standing_.firstContact(arc, until)) return false;
+  if (is_inside_ && !leadsOut(arc, until)) return false;
+  Pose at = pose;
+  for (int i = 0; i < kBrakingArcs; ++i) {
+    const double share = 1.0 - (i + 0.5) / kBrakingArcs;
+    const Arc part(at, {share * velocity.x, share * velocity.y, share * velocity.theta},
+                   begin + duration * i / kBrakingArcs);
+    const double end = begin + duration * (i + 1) / kBrakingArcs;
+    if (moving_.firstContact(part, end)) return false;
+    at = part.pose(end);
+  }
+  return true;
+}
+
+bool DynamicWindow::isFree(const Arc& arc, double until) const
+{
+  return !standing_.firstContact(arc, until) && !moving_.firstContact(arc, until);
+}
+
+bool DynamicWindow::leadsOut(const Arc& arc, double until) const
+{
+  if (arc.speed() == 0.0) return true;
+  const double turn = arc.turnRate() * (until - arc.begin());
+  const Eigen::Vector2d end(std::cos(turn) * arc.direction().x() - std::sin(turn) * arc.direction().y(),
+                            std::sin(turn) * arc.direction().x() + std::cos(turn) * arc.direction().y());
+  return std::abs(turn) < geometry::kPi && outward_.dot(arc.direction()) >= 0.0 && outward_.dot(end) >= 0.0;
+}
+
+Twist DynamicWindow::mean(const Twist& velocity, const Twist& target, double duration) const
+{
+  const RobotModel& robot = parameters_.robot;
+  return {meanOf(velocity.x, target.x, robot.acc_lim_x, duration),
+          meanOf(velocity.y, target.y, robot.acc_lim_y, duration),
+          meanOf(velocity.theta, target.theta, robot.acc_lim_theta, duration)};
+}
+
+double DynamicWindow::cost(const Arc& arc, double duration) const
+{
+  double least = kInfinity;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double time = duration * i / kPlaces;
+    least = std::min(least, time + parameters_.progress_scale * timeToGo(arc.pose(time)));
+  }
+  return least;
+}
+
+double DynamicWindow::changeCost(const Twist& velocity, const Twist& target) const
+{
+  const RobotModel& robot = parameters_.robot;
+  const auto share = [](double change, double limit) { return limit > 0.0 ? std::abs(change) / limit : 0.0; };
+  return parameters_.smoothness_scale *
+         (share(target.x - velocity.x, robot.max_vel_x) + share(target.y - velocity.y, robot.max_vel_y) +
+          share(target.theta - velocity.theta, robot.max_vel_theta));
+}
+
+double DynamicWindow::timeToGo(const Pose& pose) const
+{
+  const RobotModel& robot = parameters_.robot;
+  const RemainingPath::Way way = path_.from(pose.position, parameters_.heading_lookahead);
+  const Eigen::Vector2d ahead = way.ahead - pose.position;
+  const double angle = std::abs(wrapped(std::atan2(ahead.y(), ahead.x()) - pose.yaw));
+  double least = kInfinity;
+  const auto turnAndDrive = [&](double turn, double speed) {
+    if (speed > 0.0 && robot.max_vel_theta > 0.0)
+      least = std::min(least, turn / robot.max_vel_theta + way.length / speed);
+  };
+  turnAndDrive(angle, robot.max_vel_x);
+  turnAndDrive(geometry::kPi - angle, -robot.min_vel_x);
+  turnAndDrive(std::abs(angle - 0.5 * geometry::kPi), std::min(robot.max_vel_y, -robot.min_vel_y));
+  return least;
+}
+
+double DynamicWindow::timeToCollision(const Arc& arc) const
+{
+  const auto standing = standing_.firstContact(arc, parameters_.sim_time);
+  const auto moving = moving_.firstContact(arc, standing.value_or(parameters_.sim_time));
+  return moving ? *moving : standing.value_or(kInfinity);
+}
+
+Twist DynamicWindow::brake(const Twist& velocity, double period) const
+{
+  const double duration = parameters_.robot.brakingTime(velocity);
+  if (duration <= period) return {};
+  const double share = 1.0 - period / duration;
+  return {share * velocity.x, share * velocity.y, share * velocity.theta};
+}
+
+DriveDecision DynamicWindow::turnOrStand(const RobotState& state, double goal_yaw, double period)
+{
+  const RobotModel& robot = parameters_.robot;
+  DriveDecision decision;
+  decision.time_to_collision = kInfinity;
+  const double turn = wrapped(goal_yaw - state.pose.yaw);
+  if (std::abs(turn) <= parameters_.yaw_goal_tolerance) {
+    decision.outcome = DriveDecision::Outcome::kArrived;
+    decision.command = brake(state.velocity, period);
+    return decision;
+  }
+  // On the spot, no faster than it can stop in time.
+  const double rate = std::min(robot.max_vel_theta, std::sqrt(2.0 * robot.acc_lim_theta * std::abs(turn)));
+  const Twist still = brake({state.velocity.x, state.velocity.y, 0.0}, period);
+  const Twist command = robot.follow(state.velocity, {still.x, still.y, std::copysign(rate, turn)}, period);
+  const bool is_safe = follow(state, command, period).is_safe;
+  decision.outcome = is_safe ? DriveDecision::Outcome::kDriving : DriveDecision::Outcome::kBlocked;
+  decision.command = is_safe ? command : brake(state.velocity, period);
+  return decision;
+}
+
+}  // namespace polygonal_perception::planning
