@@ -50,6 +50,7 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
                                     const std::vector<Eigen::Vector2d>& path, double goal_yaw, double period)
 {
   tried_.clear();
+  chosen_.reset();
   path_.setPath(path);
   lookAround(state, standing, moving);
   if ((path_.goal() - state.pose.position).norm() <= parameters_.xy_goal_tolerance)
@@ -78,6 +79,7 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
     least = value;
     best.outcome = DriveDecision::Outcome::kDriving;
     best.command = target;
+    chosen_ = tried_.back();
     best.time_to_collision = contact;
   }
   if (best.outcome == DriveDecision::Outcome::kDriving) {

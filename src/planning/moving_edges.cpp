@@ -2,6 +2,15 @@
 
 namespace polygonal_perception::planning {
 
+MovingEdge advanced(const MovingEdge& edge, double time)
+{
+  const double grown = edge.growth * time;
+  MovingEdge later = edge;
+  later.from += time * edge.velocity - grown * (edge.normal() + edge.along);
+  later.length += 2.0 * grown;
+  return later;
+}
+
 void appendMovingEdges(const geometry::PolygonSet& obstacles, const Eigen::Vector2d& velocity, double growth,
                        std::vector<MovingEdge>& edges)
 {

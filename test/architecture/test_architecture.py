@@ -42,6 +42,7 @@ ROOMS = [
     Room('ros/perception', 'ros_perception', ANY, BASE + ['ros/common', 'occupancy', 'perception']),
     Room('ros/mapping', 'ros_mapping', ANY, BASE + ['ros/common', 'occupancy', 'mapping']),
     Room('ros/planning', 'ros_planning', ANY, BASE + ['ros/common', 'planning']),
+    Room('ros/driving', 'ros_driving', ANY, BASE + ['ros/common', 'planning']),
     Room('plugins', 'plugins', ANY, BASE + ['ros/common', 'ros/planning', 'planning']),
     Room('cameras/simulation', 'simulation', ['Eigen/', 'embree3/', 'embree4/'], BASE),
     Room('cameras/simulation_ros', 'simulation_ros', ANY, BASE + ['ros/common', 'cameras/simulation']),

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "polygonal_perception/export.hpp"
@@ -65,6 +66,8 @@ public:
 
   /// Of the last decision: the velocities that are admissible.
   const std::vector<Tried>& tried() const { return tried_; }
+  /// Of these the one that was chosen, if any.
+  const std::optional<Tried>& chosen() const { return chosen_; }
 
 private:
   /// How a robot goes on after a command.
@@ -100,6 +103,7 @@ private:
   RemainingPath path_;
   std::vector<Twist> targets_;
   std::vector<Tried> tried_;
+  std::optional<Tried> chosen_;
 };
 
 }  // namespace polygonal_perception::planning

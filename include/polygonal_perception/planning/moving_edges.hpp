@@ -21,6 +21,9 @@ struct MovingEdge
   Eigen::Vector2d normal() const { return {-along.y(), along.x()}; }
 };
 
+/// An edge some time later [s].
+POLYGONAL_PERCEPTION_EXPORT MovingEdge advanced(const MovingEdge& edge, double time);
+
 /// Appends the edges of obstacles that move together. Those that grow keep no gap at their corners: their edges grow longer
 /// by as much as they move out, and where a corner is sharper than a right angle an edge of no length is put in, which cuts
 /// the tip off.

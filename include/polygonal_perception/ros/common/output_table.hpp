@@ -14,6 +14,12 @@
 
 namespace polygonal_perception::ros_common {
 
+/// For a node of which nothing is left out for want of a reader but the messages themselves.
+struct NoNeeds
+{
+  NoNeeds& operator|=(const NoNeeds& /*other*/) { return *this; }
+};
+
 /// A node's output topics as a table: the topic, what it is made of, how its message is built. A message is
 /// built only while somebody reads it, anew for each result: readers in the same process share it, and nobody
 /// touches it again.

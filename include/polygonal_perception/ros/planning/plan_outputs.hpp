@@ -25,12 +25,7 @@ struct PlanResult
   const planning::PathSearch& search;
 };
 
-/// Nothing is left out for want of a reader but the messages themselves.
-struct NoNeeds
-{
-  NoNeeds& operator|=(const NoNeeds& /*other*/) { return *this; }
-};
-using PlanOutputs = ros_common::OutputTable<PlanResult, NoNeeds>;
+using PlanOutputs = ros_common::OutputTable<PlanResult, ros_common::NoNeeds>;
 
 /// Adds the topics of the node: path, status, markers.
 POLYGONAL_PERCEPTION_EXPORT void addOutputs(PlanOutputs& outputs);
