@@ -52,7 +52,7 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
   tried_.clear();
   chosen_.reset();
   path_.setPath(path);
-  lookAround(state, standing, moving);
+  lookAround(state, standing, moving, period);
   if ((path_.goal() - state.pose.position).norm() <= parameters_.xy_goal_tolerance)
     return turnOrStand(state, goal_yaw, period);
 
@@ -63,7 +63,9 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
   chooseTargets(state.velocity);
   // Slow enough to stop at the goal.
   const double rest = path_.from(state.pose.position, 0.0).length;
-  const double approach = std::sqrt(2.0 * parameters_.robot.acc_lim_x * rest);
+  const RobotModel& robot = parameters_.robot;
+  const double braking = robot.max_vel_y > 0.0 ? std::min(robot.acc_lim_x, robot.acc_lim_y) : robot.acc_lim_x;
+  const double approach = std::sqrt(2.0 * braking * rest);
   for (const Twist& target : targets_) {
     if (target.speed() > approach) continue;
     const Followed followed = follow(state, target, period);
@@ -90,13 +92,20 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
 }
 
 void DynamicWindow::lookAround(const RobotState& state, const std::vector<MovingEdge>& standing,
-                               const std::vector<MovingEdge>& moving)
+                               const std::vector<MovingEdge>& moving, double period)
 {
   const RobotModel& robot = parameters_.robot;
-  const double fastest =
-      std::hypot(std::max(robot.max_vel_x, -robot.min_vel_x), std::max(robot.max_vel_y, -robot.min_vel_y));
-  const double horizon = parameters_.sim_time + 1.0 + robot.brakingTime(state.velocity);
-  const double reach = std::max(fastest, state.velocity.speed()) * horizon;
+  const auto greater = [](double low, double high, double present) {
+    return std::max({high, -low, std::abs(present)});
+  };
+  const Twist fastest{greater(robot.min_vel_x, robot.max_vel_x, state.velocity.x),
+                      greater(robot.min_vel_y, robot.max_vel_y, state.velocity.y),
+                      greater(-robot.max_vel_theta, robot.max_vel_theta, state.velocity.theta)};
+  // Until the end of the longest way to stop, which is not asked for where a component cannot be braked.
+  const double braking = robot.brakingTime(fastest);
+  const double horizon =
+      std::max(parameters_.sim_time, period + (braking < kInfinity ? braking : robot.brakingTime({fastest.x, 0.0, fastest.theta})));
+  const double reach = fastest.speed() * horizon;
   standing_.setEdges(standing, state.pose.position, reach, horizon);
   moving_.setEdges(moving, state.pose.position, reach, horizon);
   const Surroundings around = surroundings(state.pose.position, standing);

@@ -79,7 +79,7 @@ private:
   };
 
   void lookAround(const RobotState& state, const std::vector<MovingEdge>& standing,
-                  const std::vector<MovingEdge>& moving);
+                  const std::vector<MovingEdge>& moving, double period);
   void chooseTargets(const Twist& velocity);
   Followed follow(const RobotState& state, const Twist& command, double period) const;
   bool canStop(const Pose& pose, const Twist& velocity, double begin) const;
