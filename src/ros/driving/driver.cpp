@@ -101,16 +101,16 @@ DriveReport Driver::drive(const ros::Time& now)
 
 std::string Driver::stale(const ros::Time& now) const
 {
-  const auto error = [&](const char* name, const auto& message) -> std::string {
-    if (!message) return std::string("no ") + name + " have come";
+  const auto error = [&](const char* none, const char* old, const auto& message) -> std::string {
+    if (!message) return none;
     if (!isOld(message->header.stamp, now)) return {};
-    char age[60];
-    std::snprintf(age, sizeof age, " are of %.2f s ago", now.toSec() - message->header.stamp.toSec());
-    return name + std::string(age);
+    char text[100];
+    std::snprintf(text, sizeof text, "%s of %.2f s ago", old, now.toSec() - message->header.stamp.toSec());
+    return text;
   };
-  std::string text = error("odom", odometry_);
-  if (text.empty()) text = error("polygons", polygons_);
-  if (text.empty() && tracked_) text = error("tracked_polygons", tracked_);
+  std::string text = error("no odometry has come", "the odometry is", odometry_);
+  if (text.empty()) text = error("no polygons have come", "the polygons are", polygons_);
+  if (text.empty() && tracked_) text = error("", "the tracked_polygons are", tracked_);
   return text;
 }
 
