@@ -17,6 +17,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRampSteps = 5;
 // Braking among what moves is a chain of so many arcs of equal duration.
 constexpr int kBrakingArcs = 8;
+// [m] So far out of an obstacle a robot wants to get that stands in it: borders move by a cell from frame to frame.
+constexpr double kBeyond = 0.1;
 // How many places of an arc are looked at: the robot may leave it in each of them.
 constexpr int kPlaces = 10;
 
@@ -59,6 +61,8 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
   DriveDecision best;
   best.command = brake(state.velocity, period);
   if (is_run_over_) return best;
+  // First of all out of an obstacle, by the shortest way and a little farther.
+  if (is_inside_) path_.setPath({state.pose.position, state.pose.position + (depth_ + kBeyond) * outward_});
   double least = kInfinity;
   chooseTargets(state.velocity);
   // Slow enough to stop at the goal.
@@ -75,8 +79,7 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
     const double duration =
         std::max(0.0, std::min(parameters_.sim_time, contact - 0.5 * parameters_.robot.brakingTime(target)));
     tried_.push_back({arc, duration});
-    const double value = is_inside_ ? -outward_.dot(arc.speed() * arc.direction())
-                                    : cost(arc, duration) + changeCost(state.velocity, target);
+    const double value = cost(arc, duration) + changeCost(state.velocity, target);
     if (!(value < least)) continue;
     least = value;
     best.outcome = DriveDecision::Outcome::kDriving;
@@ -104,12 +107,14 @@ void DynamicWindow::lookAround(const RobotState& state, const std::vector<Moving
   // Until the end of the longest way to stop, which is not asked for where a component cannot be braked.
   const double braking = robot.brakingTime(fastest);
   const double horizon =
-      std::max(parameters_.sim_time, period + (braking < kInfinity ? braking : robot.brakingTime({fastest.x, 0.0, fastest.theta})));
+      std::max(parameters_.sim_time,
+               period + (braking < kInfinity ? braking : robot.brakingTime({fastest.x, 0.0, fastest.theta})));
   const double reach = fastest.speed() * horizon;
   standing_.setEdges(standing, state.pose.position, reach, horizon);
   moving_.setEdges(moving, state.pose.position, reach, horizon);
   const Surroundings around = surroundings(state.pose.position, standing);
-  is_inside_ = around.depth > ContactSearch::kAtBorder;
+  depth_ = around.depth;
+  is_inside_ = depth_ > ContactSearch::kAtBorder;
   outward_ = around.outward;
   is_run_over_ = surroundings(state.pose.position, moving).depth > ContactSearch::kAtBorder;
 }

@@ -99,6 +99,7 @@ private:
   ContactSearch moving_;
   bool is_run_over_ = false;                           // by what moves: it stands until that has passed
   bool is_inside_ = false;                             // what stands
+  double depth_ = 0.0;                                 // [m] in it
   Eigen::Vector2d outward_ = Eigen::Vector2d::Zero();  // of the obstacle that contains the robot, of length 1
   RemainingPath path_;
   std::vector<Twist> targets_;

@@ -1,6 +1,7 @@
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "polygonal_perception/cameras/simulation/random.hpp"
 
@@ -27,10 +28,12 @@ const SimulatedCamera::Options& checked(const SimulatedCamera::Options& options)
 
 }  // namespace
 
-SimulatedCamera::SimulatedCamera(const Options& options)
+SimulatedCamera::SimulatedCamera(const Options& options, std::shared_ptr<const Trajectory> trajectory)
     : options_(checked(options)),
       scene_(std::make_unique<Scene>(makeScene(options.scene, options.seed))),
-      trajectory_(makeTrajectory(options.trajectory, *scene_, mixName(options.seed, options.scene))),
+      trajectory_(trajectory
+                      ? std::move(trajectory)
+                      : makeTrajectory(options.trajectory, *scene_, mixName(options.seed, options.scene))),
       caster_(*scene_),
       noise_(options.noise, mixName(options.seed, options.scene + options.trajectory) + options.number)
 {

@@ -7,8 +7,9 @@
 namespace polygonal_perception::simulation_ros {
 
 CameraTopics::CameraTopics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                           const SimulatedCameraParameters& parameters, std::uint32_t number)
-    : names_(parameters.cameraNames()[number]), camera_(parameters.options(number))
+                           const SimulatedCameraParameters& parameters, std::uint32_t number,
+                           const std::shared_ptr<const simulation::Trajectory>& robot)
+    : names_(parameters.cameraNames()[number]), camera_(parameters.options(number), robot)
 {
   ros::NodeHandle camera_handle(handle, names_.topics);
   image_transport::ImageTransport transport(camera_handle);

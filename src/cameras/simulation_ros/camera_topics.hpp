@@ -4,6 +4,7 @@
 #include <ros/publisher.h>
 
 #include <cstdint>
+#include <memory>
 
 #include "cameras/simulation_ros/simulated_camera_parameters.hpp"
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
@@ -15,8 +16,10 @@ class CameraTopics
 {
 public:
   /// @param number  which of the robot's cameras
+  /// @param robot   that carries it, or null: it moves as the parameters say
   CameraTopics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-               const SimulatedCameraParameters& parameters, std::uint32_t number);
+               const SimulatedCameraParameters& parameters, std::uint32_t number,
+               const std::shared_ptr<const simulation::Trajectory>& robot);
 
   const simulation::SimulatedCamera& camera() const { return camera_; }
   const SimulatedCameraParameters::CameraNames& names() const { return names_; }

@@ -126,6 +126,23 @@ geometry_msgs::TransformStamped toTransform(const Eigen::Isometry3d& pose, const
   return transform;
 }
 
+nav_msgs::OdometryPtr toOdometry(const planning::RobotState& state, const ros::Time& stamp,
+                                 const std::string& world, const std::string& base)
+{
+  auto odometry = boost::make_shared<nav_msgs::Odometry>();
+  odometry->header.stamp = stamp;
+  odometry->header.frame_id = world;
+  odometry->child_frame_id = base;
+  odometry->pose.pose.position.x = state.pose.position.x();
+  odometry->pose.pose.position.y = state.pose.position.y();
+  odometry->pose.pose.orientation.z = std::sin(0.5 * state.pose.yaw);
+  odometry->pose.pose.orientation.w = std::cos(0.5 * state.pose.yaw);
+  odometry->twist.twist.linear.x = state.velocity.x;
+  odometry->twist.twist.linear.y = state.velocity.y;
+  odometry->twist.twist.angular.z = state.velocity.theta;
+  return odometry;
+}
+
 Eigen::Isometry3d bodyPose(const Eigen::Isometry3d& optical_pose)
 {
   return optical_pose * opticalInBody().inverse();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <polygonal_perception/FloorPlane.h>
 #include <polygonal_perception/PolygonArray.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
+#include "polygonal_perception/planning/robot_model.hpp"
 
 namespace polygonal_perception::simulation_ros {
 
@@ -35,6 +37,10 @@ PolygonArray toPolygons(const std::vector<simulation::Outline>& outlines, const 
 
 geometry_msgs::TransformStamped toTransform(const Eigen::Isometry3d& pose, const ros::Time& stamp,
                                             const std::string& parent, const std::string& child);
+
+/// Where a robot that is driven is, and how fast it moves in its own frame.
+nav_msgs::OdometryPtr toOdometry(const planning::RobotState& state, const ros::Time& stamp,
+                                 const std::string& world, const std::string& base);
 
 /// The pose of a camera's body frame (x forward, y left, z up), of that of its optical frame.
 Eigen::Isometry3d bodyPose(const Eigen::Isometry3d& optical_pose);

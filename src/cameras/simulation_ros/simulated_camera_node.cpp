@@ -1,5 +1,7 @@
 #include "polygonal_perception/cameras/simulation_ros/simulated_camera_node.hpp"
 
+#include <geometry_msgs/Twist.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -12,6 +14,7 @@
 #include "cameras/simulation_ros/camera_topics.hpp"
 #include "cameras/simulation_ros/simulated_camera_messages.hpp"
 #include "cameras/simulation_ros/simulated_camera_parameters.hpp"
+#include "polygonal_perception/cameras/simulation/driven_robot.hpp"
 #include "polygonal_perception/ros/common/parameter_holder.hpp"
 
 namespace polygonal_perception::simulation_ros {
@@ -23,11 +26,18 @@ public:
   ~Implementation() { timer_.stop(); }
 
 private:
+  void addRobot(const ros::NodeHandle& handle);
   void tick();
+  void drive(double time, const ros::Time& stamp);
   void publishTransforms(std::uint32_t index, const ros::Time& stamp);
   void publishObstacles(std::uint32_t index, const ros::Time& stamp);
 
   ros_common::ParameterHolder<SimulatedCameraParameters> parameters_;
+  std::unique_ptr<const simulation::Scene> scene_;  // that the robot drives in, if it is driven
+  std::shared_ptr<simulation::DrivenRobot> robot_;
+  std::uint32_t bumps_ = 0;  // that have been told
+  ros::Subscriber command_;
+  ros::Publisher odometry_;
   std::vector<std::unique_ptr<CameraTopics>> cameras_;  // at least one
   ros::Publisher true_obstacles_;
   tf2_ros::TransformBroadcaster tf_;
@@ -40,8 +50,9 @@ SimulatedCameraNode::Implementation::Implementation(const ros::NodeHandle& handl
                                                     const ros::NodeHandle& private_handle)
     : parameters_(private_handle)
 {
+  if (parameters_->isDriven()) addRobot(handle);
   for (std::uint32_t i = 0; i < parameters_->cameraNames().size(); ++i)
-    cameras_.push_back(std::make_unique<CameraTopics>(handle, private_handle, *parameters_, i));
+    cameras_.push_back(std::make_unique<CameraTopics>(handle, private_handle, *parameters_, i, robot_));
   true_obstacles_ = ros::NodeHandle(private_handle, "ground_truth").advertise<PolygonArray>("obstacles", 1);
 
   start_ = ros::Time::now();
@@ -55,12 +66,41 @@ SimulatedCameraNode::Implementation::Implementation(const ros::NodeHandle& handl
                                                [this](const ros::TimerEvent&) { tick(); });
 }
 
+void SimulatedCameraNode::Implementation::addRobot(const ros::NodeHandle& handle)
+{
+  const auto options = parameters_->options(0);
+  scene_ = std::make_unique<simulation::Scene>(simulation::makeScene(options.scene, options.seed));
+  robot_ = std::make_shared<simulation::DrivenRobot>(*scene_, options.seed, parameters_->robot);
+  ros::NodeHandle robot_handle(handle);
+  odometry_ = robot_handle.advertise<nav_msgs::Odometry>("odom", 1);
+  const boost::function<void(const geometry_msgs::TwistConstPtr&)> obey =
+      [this](const geometry_msgs::TwistConstPtr& twist) {
+        const planning::Twist command{twist->linear.x, twist->linear.y, twist->angular.z};
+        if (!std::isfinite(command.x + command.y + command.theta)) {
+          ROS_ERROR_THROTTLE(5.0, "cmd_vel is not finite");
+          return;
+        }
+        robot_->command(command);
+      };
+  command_ = robot_handle.subscribe<geometry_msgs::Twist>("cmd_vel", 1, obey);
+}
+
+void SimulatedCameraNode::Implementation::drive(double time, const ros::Time& stamp)
+{
+  robot_->advanceTo(time);
+  odometry_.publish(toOdometry(robot_->state(), stamp, parameters_->world_frame, parameters_->base_frame));
+  if (robot_->bumps() == bumps_) return;
+  bumps_ = robot_->bumps();
+  ROS_WARN("the robot has bumped into something: %u times now", bumps_);
+}
+
 void SimulatedCameraNode::Implementation::tick()
 {
   const ros::Time stamp = ros::Time::now();
   // After a jump back in time everything begins again.
   if (stamp < start_) start_ = stamp;
   const auto index = static_cast<std::uint32_t>(std::lround((stamp - start_).toSec() * parameters_->rate));
+  if (robot_) drive((stamp - start_).toSec(), stamp);
   if (parameters_->publish_tf) publishTransforms(index, stamp);
   for (const auto& camera : cameras_) camera->publish(index, stamp);
   if (true_obstacles_.getNumSubscribers() > 0) publishObstacles(index, stamp);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polygonal_perception/cameras/simulation/driven_robot.hpp"
 #include "polygonal_perception/cameras/simulation/simulated_camera.hpp"
 #include "polygonal_perception/parameters/parameter_check.hpp"
 #include "polygonal_perception/parameters/parameter_table.hpp"
@@ -31,10 +32,13 @@ inline bool isScene(const std::string& text)
   const auto names = scenesAndCourses();
   return std::find(names.begin(), names.end(), text) != names.end();
 }
+/// Not a trajectory: the robot obeys cmd_vel.
+inline constexpr char kDriven[] = "cmd_vel";
+
 inline bool isTrajectory(const std::string& text)
 {
   const auto& names = simulation::trajectoryNames();
-  return std::find(names.begin(), names.end(), text) != names.end();
+  return text == kDriven || std::find(names.begin(), names.end(), text) != names.end();
 }
 inline bool isName(const std::string& text)
 {
@@ -61,6 +65,7 @@ struct SimulatedCameraParameters
   std::string base_frame = "base_link";
   std::string camera_frame = "camera_link";
   std::string optical_frame = "camera_depth_optical_frame";
+  simulation::DrivenRobot::Parameters robot;  ///< where it is driven
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& visit)
@@ -74,9 +79,10 @@ struct SimulatedCameraParameters
           "the first "
           "looks ahead.");
     static const std::string scenes = listed(scenesAndCourses());
-    static const std::string trajectories = listed(simulation::trajectoryNames());
+    static const std::string trajectories = listed(simulation::trajectoryNames()) + ", " + kDriven;
     visit("scene", self.scene, TextRule{scenes.c_str(), isScene}, "Where the camera looks.");
-    visit("trajectory", self.trajectory, TextRule{trajectories.c_str(), isTrajectory}, "How it moves.");
+    visit("trajectory", self.trajectory, TextRule{trajectories.c_str(), isTrajectory},
+          "How it moves; by cmd_vel: as it is told.");
     visit("seed", self.seed, Range{0, 1e9}.atStart(), "", "Another number, another room.");
     visit("rate", self.rate, Range{0.1, 1000.0}.atStart(), "Hz", "Frames a second.");
     visit("width", self.width, Range{1, 8192}.atStart(), "px", "Of the image.");
@@ -94,8 +100,20 @@ struct SimulatedCameraParameters
     visit("world_frame", self.world_frame, name, "Frame in which the room stands still.");
     visit("base_frame", self.base_frame, name, "Of the robot, on the floor under the camera.");
     visit("camera_frame", self.camera_frame, name, "Of the camera, x ahead, z up.");
+    planning::RobotModel::describe(
+        self.robot.model,
+        [&visit](const char* limit, auto& value, const Range& range, const auto&... unit_and_help) {
+          visit(limit, value, range.atStart(), unit_and_help...);
+        });
+    visit("latency", self.robot.latency, Range{0.0, 2.0}.atStart(), "s",
+          "How long it takes until the base follows a command.");
+    visit("radius", self.robot.radius, Range{0.01, 5.0}.atStart(), "m", "Of the robot, for bumps.");
+    visit("command_timeout", self.robot.command_timeout, Range{0.01, 100.0}.atStart(), "s",
+          "How long a command holds.");
     visit("optical_frame", self.optical_frame, name, "Of its images, x right, z ahead.");
   }
+
+  bool isDriven() const { return trajectory == kDriven; }
 
   std::optional<parameters::ParameterFault> conflict() const
   {
@@ -124,7 +142,7 @@ struct SimulatedCameraParameters
   {
     simulation::SimulatedCamera::Options options;
     options.scene = scene;
-    options.trajectory = trajectory;
+    options.trajectory = isDriven() ? "robotino" : trajectory;
     options.seed = static_cast<std::uint64_t>(seed);
     options.rate = rate;
     options.number = number;

@@ -50,7 +50,8 @@ public:
 
   /// @throws std::invalid_argument for an unknown name, an empty image, a camera that the robot does not have, or
   ///         a rate or a parameter out of its range
-  explicit SimulatedCamera(const Options& options);
+  /// @param trajectory  in the place of the one that the options name
+  explicit SimulatedCamera(const Options& options, std::shared_ptr<const Trajectory> trajectory = nullptr);
 
   const Options& options() const { return options_; }
   const Scene& scene() const { return *scene_; }
@@ -69,7 +70,7 @@ public:
 private:
   Options options_;
   std::unique_ptr<const Scene> scene_;
-  std::unique_ptr<const Trajectory> trajectory_;
+  std::shared_ptr<const Trajectory> trajectory_;
   RayCaster caster_;
   DepthNoise noise_;
 };

@@ -16,6 +16,10 @@ namespace polygonal_perception::simulation_ros {
 /// depth/camera_info, depth/points. Private: ground_truth/floor (FloorPlane, optical frame),
 /// ground_truth/obstacles (PolygonArray, world frame, not inflated).
 ///
+/// With the trajectory cmd_vel the robot obeys `cmd_vel` (geometry_msgs/Twist) within the limits max_vel_x, ... (those of
+/// planning::RobotModel), after latency, as long as command_timeout; it publishes `odom` (nav_msgs/Odometry), and says in the
+/// log when it bumps into something, which it does with its radius.
+///
 /// With several cameras each has its topics below its name, frames NAME_link and NAME_depth_optical_frame, and
 /// ground_truth/NAME/floor.
 ///
