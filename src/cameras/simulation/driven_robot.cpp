@@ -8,7 +8,7 @@ namespace polygonal_perception::simulation {
 
 namespace {
 
-constexpr double kStep = 0.01;  // [s]
+constexpr double kTimeStep = 0.01;  // [s]
 // [m] Between these heights there is robot.
 constexpr double kLow = 0.03;
 constexpr double kHigh = 1.0;
@@ -58,7 +58,7 @@ void DrivenRobot::advanceTo(double time)
     given_.clear();
     is_touching_ = false;
   }
-  while (now_ < time) step(std::min(kStep, time - now_));
+  while (now_ < time) step(std::min(kTimeStep, time - now_));
 }
 
 void DrivenRobot::step(double duration)
