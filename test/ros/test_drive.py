@@ -15,7 +15,7 @@ from polygonal_perception.msg import DriveStatus, PlanStatus
 from waiting import wait_for
 
 DEADLINE = 90.0  # [s] for a way of some metres, on a busy machine
-GOALS = ((1.8, 0.8), (-1.9, -0.5))
+GOAL = (1.8, 0.8)
 NEAR = 0.45  # [m] to a goal: the planner may shift it by its tolerance, and the driver stop within its own
 
 
@@ -49,17 +49,16 @@ class DriveTest(unittest.TestCase):
 
     def test_goes_where_it_is_told(self):
         self.assertEqual(self.status().status, DriveStatus.NO_PATH, self.status())
-        for goal in GOALS:
-            self.assertGreater(self.distance_to(goal), 2.0, 'the way is too short to show anything')
-            message = PoseStamped()
-            message.header.frame_id = 'odom'
-            message.pose.position.x, message.pose.position.y = goal
-            message.pose.orientation.w = 1.0
-            self.goal.publish(message)
-            wait_for(self.condition, lambda: self.status().status == DriveStatus.DRIVING, 'the robot to start', DEADLINE, self.seen)
-            wait_for(self.condition, lambda: self.status().status == DriveStatus.ARRIVED and self.distance_to(goal) < NEAR,
-                     'the robot to arrive at %s' % (goal,), DEADLINE, self.seen)
-            self.assertEqual(self.bumps, [])
+        self.assertGreater(self.distance_to(GOAL), 3.0, 'the way is too short to show anything')
+        message = PoseStamped()
+        message.header.frame_id = 'odom'
+        message.pose.position.x, message.pose.position.y = GOAL
+        message.pose.orientation.w = 1.0
+        self.goal.publish(message)
+        wait_for(self.condition, lambda: self.status().status == DriveStatus.DRIVING, 'the robot to start', DEADLINE, self.seen)
+        wait_for(self.condition, lambda: self.status().status == DriveStatus.ARRIVED and self.distance_to(GOAL) < NEAR,
+                 'the robot to arrive at %s' % (GOAL,), DEADLINE, self.seen)
+        self.assertEqual(self.bumps, [])
 
 
 if __name__ == '__main__':
