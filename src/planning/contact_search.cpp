@@ -15,8 +15,18 @@ namespace {
 constexpr double kPieceLength = 0.5;                // [m]
 constexpr double kPieceTurn = geometry::kPi / 4.0;  // [rad]
 
-// [m] More than what a float rounds off within a kilometre.
-constexpr double kFloatMargin = 1e-4;
+// A long way is cut into no more pieces than this: it takes the time of these, whatever a base can do.
+constexpr double kMostPieces = 64.0;
+
+/// Bounds as floats, which are faster to compare: rounded outward.
+float below(double value)
+{
+  return static_cast<float>(value - 1e-6 * std::abs(value));
+}
+float above(double value)
+{
+  return static_cast<float>(value + 1e-6 * std::abs(value));
+}
 
 Eigen::Vector2d endOf(const MovingEdge& edge)
 {
@@ -50,11 +60,11 @@ void ContactSearch::setEdges(const std::vector<MovingEdge>& edges, const Eigen::
     const Eigen::Vector2d way = horizon * edge.velocity;
     Eigen::AlignedBox2d box(edge.from);
     box.extend(endOf(edge)).extend(edge.from + way).extend(endOf(edge) + way);
-    const double margin = 2.0 * edge.growth * horizon + edges_[i].level + kEdgeOverlap + kFloatMargin;
-    low_x_[i] = static_cast<float>(box.min().x() - place.x() - margin);
-    low_y_[i] = static_cast<float>(box.min().y() - place.y() - margin);
-    high_x_[i] = static_cast<float>(box.max().x() - place.x() + margin);
-    high_y_[i] = static_cast<float>(box.max().y() - place.y() + margin);
+    const double margin = 2.0 * edge.growth * horizon + edges_[i].level + kEdgeOverlap + kTouch;
+    low_x_[i] = below(box.min().x() - place.x() - margin);
+    low_y_[i] = below(box.min().y() - place.y() - margin);
+    high_x_[i] = above(box.max().x() - place.x() + margin);
+    high_y_[i] = above(box.max().y() - place.y() + margin);
   }
 }
 
@@ -75,8 +85,9 @@ bool ContactSearch::Piece::mayEnter(const Reachable& reachable) const
 std::optional<double> ContactSearch::firstContact(const Arc& arc, double until) const
 {
   const double duration = until - arc.begin();
-  const double pieces = std::ceil(std::max(
-      {1.0, arc.speed() * duration / kPieceLength, std::abs(arc.turnRate()) * duration / kPieceTurn}));
+  const double wanted =
+      std::max(arc.speed() * duration / kPieceLength, std::abs(arc.turnRate()) * duration / kPieceTurn);
+  const double pieces = std::clamp(std::ceil(wanted), 1.0, kMostPieces);
   const double step = duration / pieces;
   const double offset = (arc.start().position - place_).norm();
   Piece piece;
@@ -101,8 +112,8 @@ std::optional<double> ContactSearch::firstContact(const Arc& arc, const Piece& p
 {
   const Eigen::Vector2d low = piece.begin.cwiseMin(piece.end).array() - piece.bulge;
   const Eigen::Vector2d high = piece.begin.cwiseMax(piece.end).array() + piece.bulge;
-  const Eigen::Vector2f from_place = (low - place_).cast<float>();
-  const Eigen::Vector2f to_place = (high - place_).cast<float>();
+  const Eigen::Vector2f from_place(below(low.x() - place_.x()), below(low.y() - place_.y()));
+  const Eigen::Vector2f to_place(above(high.x() - place_.x()), above(high.y() - place_.y()));
   std::optional<double> first;
   double to = piece.to;
   for (std::size_t i = 0; i < count; ++i) {

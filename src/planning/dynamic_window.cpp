@@ -13,10 +13,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The velocity follows a command in so many steps of a period: of 10 ms at 20 Hz, a millimetre beside the true curve at most.
-constexpr int kRampSteps = 5;
-// Braking among what moves is a chain of so many arcs of equal duration.
-constexpr int kBrakingArcs = 8;
+// [s] The velocity follows a command in steps no longer than this. A base may do so, too; one that does so smoothly is no
+// farther away than a step's change of speed times half a step: 0.5 mm at 10 m/s^2.
+constexpr double kRampStep = 0.01;
+// [m] Braking among what moves is a chain of arcs, each with its mean speed, on which the robot is beside its place at that
+// time by no more than this.
+constexpr double kBrakingError = 5e-4;
 // [m] So far out of an obstacle a robot wants to get that stands in it: borders move by a cell from frame to frame.
 constexpr double kBeyond = 0.1;
 // How many places of an arc are looked at: the robot may leave it in each of them.
@@ -62,7 +64,7 @@ DriveDecision DynamicWindow::decide(const RobotState& state, const std::vector<M
   best.command = brake(state.velocity, period);
   if (is_run_over_) return best;
   // First of all out of an obstacle, by the shortest way and a little farther.
-  if (is_inside_) path_.setPath({state.pose.position, state.pose.position + (depth_ + kBeyond) * outward_});
+  if (is_inside_) path_.setPath(state.pose.position, state.pose.position + (depth_ + kBeyond) * outward_);
   double least = kInfinity;
   chooseTargets(state.velocity);
   // Slow enough to stop at the goal.
@@ -122,7 +124,7 @@ void DynamicWindow::lookAround(const RobotState& state, const std::vector<Moving
 void DynamicWindow::chooseTargets(const Twist& velocity)
 {
   const Parameters& p = parameters_;
-  std::vector<double> x, y, theta;
+  auto& [x, y, theta] = samples_;
   sample(p.robot.min_vel_x, p.robot.max_vel_x, p.vx_samples, velocity.x, x);
   sample(p.robot.min_vel_y, p.robot.max_vel_y, p.robot.max_vel_y > p.robot.min_vel_y ? p.vy_samples : 1,
          velocity.y, y);
@@ -137,8 +139,9 @@ DynamicWindow::Followed DynamicWindow::follow(const RobotState& state, const Twi
                                               double period) const
 {
   Followed result{state.pose, state.velocity, true};
-  const double step = period / kRampSteps;
-  for (int i = 0; i < kRampSteps && result.is_safe; ++i) {
+  const int steps = static_cast<int>(std::ceil(period / kRampStep));
+  const double step = period / steps;
+  for (int i = 0; i < steps && result.is_safe; ++i) {
     result.velocity = parameters_.robot.follow(result.velocity, command, step);
     const Arc arc(result.pose, result.velocity, i * step);
     const double end = (i + 1) * step;
@@ -158,12 +161,16 @@ bool DynamicWindow::canStop(const Pose& pose, const Twist& velocity, double begi
   const double until = begin + 0.5 * duration;
   if (standing_.firstContact(arc, until)) return false;
   if (is_inside_ && !leadsOut(arc, until)) return false;
+  if (moving_.isEmpty()) return true;
+  // With a deceleration a it is beside by a t^2 / 8 in the middle of an arc of duration t.
+  const double arcs =
+      std::max(1.0, std::ceil(std::sqrt(velocity.speed() * duration / (8.0 * kBrakingError))));
   Pose at = pose;
-  for (int i = 0; i < kBrakingArcs; ++i) {
-    const double share = 1.0 - (i + 0.5) / kBrakingArcs;
+  for (double i = 0.0; i < arcs; ++i) {
+    const double share = 1.0 - (i + 0.5) / arcs;
     const Arc part(at, {share * velocity.x, share * velocity.y, share * velocity.theta},
-                   begin + duration * i / kBrakingArcs);
-    const double end = begin + duration * (i + 1) / kBrakingArcs;
+                   begin + duration * i / arcs);
+    const double end = begin + duration * (i + 1.0) / arcs;
     if (moving_.firstContact(part, end)) return false;
     at = part.pose(end);
   }

@@ -18,6 +18,12 @@ void RemainingPath::setPath(const std::vector<Eigen::Vector2d>& path)
     rest_[i - 1] = rest_[i] + (points_[i] - points_[i - 1]).norm();
 }
 
+void RemainingPath::setPath(const Eigen::Vector2d& start, const Eigen::Vector2d& goal)
+{
+  points_.assign({start, goal});
+  rest_.assign({(goal - start).norm(), 0.0});
+}
+
 RemainingPath::Way RemainingPath::from(const Eigen::Vector2d& place, double ahead) const
 {
   const std::size_t first = firstBend(place);

@@ -34,6 +34,12 @@ Twist RobotModel::follow(const Twist& velocity, const Twist& command, double dur
           approach(velocity.theta, command.theta, acc_lim_theta * duration)};
 }
 
+RobotState RobotModel::advanced(const RobotState& state, const Twist& command, double duration) const
+{
+  const Twist velocity = follow(state.velocity, command, duration);
+  return {Arc(state.pose, velocity).pose(duration), velocity};
+}
+
 double RobotModel::brakingTime(const Twist& velocity) const
 {
   return std::max({stoppingTime(velocity.x, acc_lim_x), stoppingTime(velocity.y, acc_lim_y),

@@ -47,10 +47,8 @@ public:
   {
     const DriveDecision decision = window.decide(state, standing, moving, path, goal_yaw, kPeriod);
     constexpr int kSteps = 5;
-    for (int i = 0; i < kSteps; ++i) {
-      state.velocity = parameters.robot.follow(state.velocity, decision.command, kPeriod / kSteps);
-      state.pose = Arc(state.pose, state.velocity).pose(kPeriod / kSteps);
-    }
+    for (int i = 0; i < kSteps; ++i)
+      state = parameters.robot.advanced(state, decision.command, kPeriod / kSteps);
     for (MovingEdge& edge : moving) edge.from += kPeriod * edge.velocity;
     return decision;
   }

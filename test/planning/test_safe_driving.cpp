@@ -101,8 +101,7 @@ private:
     constexpr int kSteps = 5;
     constexpr double kStep = kPeriod / kSteps;
     for (int i = 1; i <= kSteps; ++i) {
-      state.velocity = parameters_.robot.follow(state.velocity, command, kStep);
-      state.pose = Arc(state.pose, state.velocity).pose(kStep);
+      state = parameters_.robot.advanced(state, command, kStep);
       const double speed = state.velocity.speed();
       const double standing = reference::depthIn(standing_, state.pose.position, 0.0);
       const double any = speed < kStands ? standing : depth(state.pose.position, now + i * kStep);

@@ -27,6 +27,9 @@ public:
   void setEdges(const std::vector<MovingEdge>& edges, const Eigen::Vector2d& place, double reach,
                 double horizon);
 
+  /// Whether no edge can be reached.
+  bool isEmpty() const { return edges_.empty(); }
+
   /// @param until  [s] <= the horizon, after the arc's beginning
   /// @return [s] when the arc first enters an obstacle, if it does by then
   std::optional<double> firstContact(const Arc& arc, double until) const;

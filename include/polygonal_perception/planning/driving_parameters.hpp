@@ -15,13 +15,14 @@ struct DrivingParameters
   int vth_samples = 20;
   double xy_goal_tolerance = 0.1;    ///< [m]
   double yaw_goal_tolerance = 0.05;  ///< [rad]
-  /// [m] A corner of the path that is nearer says nothing about where to head for. Farther points lie behind corners: in
-  /// BARN's worlds 3 robots of 100 got stuck with 0.1, and 14 with 0.325.
+  // Figures are of a fast robot in 100 of BARN's worlds, driven by this library alone; the script for them is still to come.
+  /// [m] A corner of the path that is nearer says nothing about where to head for, but farther points lie behind corners: with
+  /// 0.1 two robots got stuck, with 0.325 eight.
   double heading_lookahead = 0.02;
-  /// How much more what is left of the way counts than the time that a motion takes: with 1 standing is as good as driving
-  /// there. BARN's worlds: at 1.1 one in a hundred ends to and fro in a niche, at 4 the mean time is 4 % longer.
+  /// How much more what is left of the way counts than the time that a motion takes. With 1 standing is as good as driving
+  /// there: with 1.1 58 robots did not start or got stuck. With 4 one got stuck, and the others took 4 % longer.
   double progress_scale = 2.0;
-  /// [s] What it costs to change a velocity by its limit. With 0 the robot now and then goes to and fro.
+  /// [s] What it costs to change a velocity by its limit. With 0 they took 1 % longer.
   double smoothness_scale = 0.1;
 
   template <class Self, class Visitor>

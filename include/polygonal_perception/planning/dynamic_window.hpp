@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -102,6 +103,7 @@ private:
   double depth_ = 0.0;                                 // [m] in it
   Eigen::Vector2d outward_ = Eigen::Vector2d::Zero();  // of the obstacle that contains the robot, of length 1
   RemainingPath path_;
+  std::array<std::vector<double>, 3> samples_;  // of x, y and theta
   std::vector<Twist> targets_;
   std::vector<Tried> tried_;
   std::optional<Tried> chosen_;

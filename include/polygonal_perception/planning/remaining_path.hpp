@@ -22,6 +22,8 @@ public:
 
   /// @param path  start, corners and goal [m]; at least one point. Memory is used again.
   void setPath(const std::vector<Eigen::Vector2d>& path);
+  /// A straight one.
+  void setPath(const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
 
   /// @param ahead  [m] along the thread
   Way from(const Eigen::Vector2d& place, double ahead) const;

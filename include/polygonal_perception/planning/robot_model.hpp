@@ -49,6 +49,8 @@ struct POLYGONAL_PERCEPTION_EXPORT RobotModel
   Twist clamped(const Twist& twist) const;
   /// The velocity after some time [s] under a command within its limits.
   Twist follow(const Twist& velocity, const Twist& command, double duration) const;
+  /// The robot after a short time [s] under a command: it moves with the velocity that it has at the end.
+  RobotState advanced(const RobotState& state, const Twist& command, double duration) const;
   /// [s] it takes to stop, all components becoming smaller in the same proportion.
   double brakingTime(const Twist& velocity) const;
 };

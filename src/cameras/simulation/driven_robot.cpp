@@ -66,24 +66,24 @@ void DrivenRobot::step(double duration)
   while (given_.size() > 1 && given_[1].effect <= now_) given_.pop_front();
   const bool holds =
       !given_.empty() && given_[0].effect <= now_ && now_ <= given_[0].effect + parameters_.command_timeout;
-  state_.velocity =
-      parameters_.model.follow(state_.velocity, holds ? given_[0].twist : planning::Twist(), duration);
-  const planning::Pose next = planning::Arc(state_.pose, state_.velocity).pose(duration);
+  const planning::RobotState next =
+      parameters_.model.advanced(state_, holds ? given_[0].twist : planning::Twist(), duration);
+  state_.velocity = next.velocity;
   now_ += duration;
 
   const double before = clearance(state_.pose.position);
-  const double after = clearance(next.position);
+  const double after = clearance(next.pose.position);
   const bool touches = after < 0.0;
   const bool drives = state_.velocity.speed() >= kStands;
   if (touches && drives && !is_touching_) ++bumps_;
   is_touching_ = touches || (is_touching_ && after < kApart);
-  state_.pose.yaw = next.yaw;
+  state_.pose.yaw = next.pose.yaw;
   if (touches && after < before) {
     // It pushes, and nothing gives way.
     state_.velocity.x = state_.velocity.y = 0.0;
     return;
   }
-  state_.pose.position = next.position;
+  state_.pose.position = next.pose.position;
 }
 
 double DrivenRobot::clearance(const Eigen::Vector2d& position) const

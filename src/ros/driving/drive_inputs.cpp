@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "polygonal_perception/geometry/validity.hpp"
+#include "polygonal_perception/ros/common/planar_pose.hpp"
 #include "polygonal_perception/ros/common/polygon_messages.hpp"
 #include "polygonal_perception/ros/common/text_rules.hpp"
 
@@ -15,14 +17,22 @@ using ros_common::Expected;
 
 namespace {
 
-double yawOf(const geometry_msgs::Quaternion& q)
-{
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-}
+constexpr double kFastest = 100.0;  // [m/s, rad/s] what says that it is faster is wrong
 
-void move(const Eigen::Isometry2d& place, geometry::PolygonSet& polygons)
+geometry::PolygonSet moved(geometry::PolygonSet polygons, const Eigen::Isometry2d& place)
 {
   for (Eigen::Vector2d& p : polygons.vertices) p = place * p;
+  return polygons;
+}
+
+/// Reads polygons of which none gets lost: one that runs the wrong way, or crosses itself, would be open from outside.
+Expected<geometry::PolygonSet> read(const ObstaclePolygon& polygon, const std::string& name)
+{
+  auto set = ros_common::toPolygonSet(polygon);
+  if (!set) return Expected<geometry::PolygonSet>::failure(name + set.error());
+  if (const auto defect = geometry::findDefect(*set))
+    return Expected<geometry::PolygonSet>::failure(name + defect->text);
+  return set;
 }
 
 /// [m/s] The greatest standard deviation of a velocity, in any direction; nothing for a matrix that is no covariance.
@@ -44,12 +54,12 @@ Expected<DriveInputs::Edges> DriveInputs::standing(const PolygonArray& polygons,
 {
   const auto place = this->place(polygons.header, frame);
   if (!place) return Expected<Edges>::failure("polygons: " + place.error());
-  auto set = ros_common::toPolygonSet(polygons);
-  if (!set) return Expected<Edges>::failure(set.error());
-  geometry::PolygonSet moved = *set;
-  move(*place, moved);
   Edges edges;
-  planning::appendMovingEdges(moved, Eigen::Vector2d::Zero(), 0.0, edges);
+  for (std::size_t k = 0; k < polygons.polygons.size(); ++k) {
+    const auto set = read(polygons.polygons[k], "polygon " + std::to_string(k) + ": ");
+    if (!set) return Expected<Edges>::failure(set.error());
+    planning::appendMovingEdges(moved(*set, *place), Eigen::Vector2d::Zero(), 0.0, edges);
+  }
   return edges;
 }
 
@@ -61,16 +71,17 @@ Expected<DriveInputs::Edges> DriveInputs::moving(const TrackedPolygonArray& poly
   Edges edges;
   for (const TrackedPolygon& polygon : polygons.polygons) {
     const std::string name = "tracked polygon " + std::to_string(polygon.id) + ": ";
-    const auto set = ros_common::toPolygonSet(polygon.polygon);
-    if (!set) return Expected<Edges>::failure(name + set.error());
+    const auto set = read(polygon.polygon, name);
+    if (!set) return Expected<Edges>::failure(set.error());
     const Eigen::Vector2d velocity =
         place->linear() * Eigen::Vector2d(polygon.velocity.x, polygon.velocity.y);
     const auto sigma = deviation(polygon.velocity_covariance);
-    if (!velocity.allFinite()) return Expected<Edges>::failure(name + "its velocity is not finite");
-    if (!sigma) return Expected<Edges>::failure(name + "velocity_covariance is no covariance");
-    geometry::PolygonSet moved = *set;
-    move(*place, moved);
-    planning::appendMovingEdges(moved, velocity, sigmas * *sigma, edges);
+    if (!(velocity.norm() <= kFastest))
+      return Expected<Edges>::failure(name + "velocity is not finite, or above 100 m/s");
+    if (!sigma || !(*sigma <= kFastest))
+      return Expected<Edges>::failure(name +
+                                      "velocity_covariance is no covariance, or that of more than 100 m/s");
+    planning::appendMovingEdges(moved(*set, *place), velocity, sigmas * *sigma, edges);
   }
   return edges;
 }
@@ -81,13 +92,15 @@ Expected<DrivenPath> DriveInputs::path(const nav_msgs::Path& path, const std::st
   if (!place) return Expected<DrivenPath>::failure("path: " + place.error());
   DrivenPath driven;
   for (const geometry_msgs::PoseStamped& pose : path.poses) {
-    const Eigen::Vector2d p(pose.pose.position.x, pose.pose.position.y);
-    if (!p.allFinite()) return Expected<DrivenPath>::failure("path: a position is not finite");
-    driven.points.push_back(*place * p);
+    const geometry_msgs::Point& p = pose.pose.position;
+    if (!ros_common::isPlace(p))
+      return Expected<DrivenPath>::failure("path: a position is not finite, or farther than 1000 km away");
+    driven.points.push_back(*place * Eigen::Vector2d(p.x, p.y));
   }
-  const double yaw = yawOf(path.poses.back().pose.orientation);
-  if (!std::isfinite(yaw)) return Expected<DrivenPath>::failure("path: the last orientation is not finite");
-  driven.goal_yaw = yaw + Eigen::Rotation2Dd(place->linear()).angle();
+  const geometry_msgs::Quaternion& goal = path.poses.back().pose.orientation;
+  if (!ros_common::isRotation(goal))
+    return Expected<DrivenPath>::failure("path: the last orientation is no unit quaternion");
+  driven.goal_yaw = ros_common::yawOf(goal) + Eigen::Rotation2Dd(place->linear()).angle();
   return driven;
 }
 
@@ -95,12 +108,16 @@ Expected<planning::RobotState> DriveInputs::state(const nav_msgs::Odometry& odom
 {
   const auto& pose = odometry.pose.pose;
   const auto& twist = odometry.twist.twist;
-  planning::RobotState state{{{pose.position.x, pose.position.y}, yawOf(pose.orientation)},
-                             {twist.linear.x, twist.linear.y, twist.angular.z}};
-  const double sum =
-      state.pose.position.sum() + state.pose.yaw + state.velocity.x + state.velocity.y + state.velocity.theta;
-  if (std::isfinite(sum)) return state;
-  return Expected<planning::RobotState>::failure("odom: pose or twist is not finite");
+  using Result = Expected<planning::RobotState>;
+  if (const std::string error = ros_common::frameIdError(odometry.header.frame_id); !error.empty())
+    return Result::failure("odom: " + error);
+  if (!ros_common::isPlace(pose.position) || !ros_common::isRotation(pose.orientation))
+    return Result::failure("odom: pose is none, accepted is a place within 1000 km and a unit quaternion");
+  const planning::RobotState state{{{pose.position.x, pose.position.y}, ros_common::yawOf(pose.orientation)},
+                                   {twist.linear.x, twist.linear.y, twist.angular.z}};
+  if (!(state.velocity.speed() <= kFastest && std::abs(state.velocity.theta) <= kFastest))
+    return Result::failure("odom: twist is not finite, or above 100 m/s or rad/s");
+  return state;
 }
 
 Expected<Eigen::Isometry2d> DriveInputs::place(const std_msgs::Header& header, const std::string& frame) const

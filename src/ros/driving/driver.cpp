@@ -15,7 +15,8 @@ using planning::Twist;
 
 namespace {
 
-constexpr double kStep = 0.01;  // [s] of a prediction
+constexpr double kStep = 0.01;      // [s] of a prediction
+constexpr double kRounding = 1e-6;  // [s] of a clock in seconds since 1970: a double has 2e-7
 
 std::string textOf(const DriveDecision& decision)
 {
@@ -56,9 +57,10 @@ DriveReport Driver::tick(const ros::Time& now)
   DriveReport report = drive(now);
   report.header.stamp = now;
   if (odometry_) report.header.frame_id = odometry_->header.frame_id;
-  sent_.push_back({now + ros::Duration(parameters_.latency), report.command});
+  sent_.push_back({now.toSec() + parameters_.latency, report.command});
   // The last one that holds is still of use.
-  while (sent_.size() > 1 && odometry_ && sent_[1].effect <= odometry_->header.stamp) sent_.pop_front();
+  while (sent_.size() > 1 && odometry_ && sent_[1].effect <= odometry_->header.stamp.toSec())
+    sent_.pop_front();
   constexpr std::size_t kMostSent = 1000;
   if (sent_.size() > kMostSent) sent_.pop_front();
   return report;
@@ -74,21 +76,21 @@ DriveReport Driver::drive(const ros::Time& now)
 
   const std::string& frame = odometry_->header.frame_id;
   const auto state = DriveInputs::state(*odometry_);
-  if (!state) return stopping(now, DriveStatus::STALE, state.error());
+  if (!state) return refusing(now, DriveStatus::STALE, state.error());
   const auto standing = inputs_.standing(*polygons_, frame);
-  if (!standing) return stopping(now, DriveStatus::STALE, standing.error());
+  if (!standing) return refusing(now, DriveStatus::STALE, standing.error());
   const auto path = inputs_.path(*path_, frame);
-  if (!path) return stopping(now, DriveStatus::NO_PATH, path.error());
-  const ros::Time effect = now + ros::Duration(parameters_.latency);
+  if (!path) return refusing(now, DriveStatus::NO_PATH, path.error());
+  const double effect = now.toSec() + parameters_.latency;
   std::vector<MovingEdge> moving;
   if (tracked_) {
     const auto edges = inputs_.moving(*tracked_, parameters_.velocity_sigmas, frame);
-    if (!edges) return stopping(now, DriveStatus::STALE, edges.error());
-    const double age = std::max(0.0, (effect - tracked_->header.stamp).toSec());
+    if (!edges) return refusing(now, DriveStatus::STALE, edges.error());
+    const double age = std::max(0.0, effect - tracked_->header.stamp.toSec());
     for (const MovingEdge& edge : *edges) moving.push_back(planning::advanced(edge, age));
   }
 
-  const planning::RobotState at_effect = predicted(*state, odometry_->header.stamp, effect);
+  const planning::RobotState at_effect = predicted(*state, odometry_->header.stamp.toSec(), effect);
   const DriveDecision decision =
       window_.decide(at_effect, *standing, moving, path->points, path->goal_yaw, period());
   DriveReport report;
@@ -119,19 +121,15 @@ bool Driver::isOld(const ros::Time& stamp, const ros::Time& now) const
   return std::abs(now.toSec() - stamp.toSec()) > parameters_.timeout;
 }
 
-planning::RobotState Driver::predicted(planning::RobotState state, ros::Time from, const ros::Time& to) const
+planning::RobotState Driver::predicted(planning::RobotState state, double time, double end) const
 {
-  double time = from.toSec();
-  const double end = to.toSec();
   std::size_t next = 0;
   Twist command = state.velocity;
-  while (end - time > 1e-6) {
-    for (; next < sent_.size() && sent_[next].effect.toSec() <= time + 1e-6; ++next)
-      command = sent_[next].twist;
+  while (end - time > kRounding) {
+    for (; next < sent_.size() && sent_[next].effect <= time + kRounding; ++next) command = sent_[next].twist;
     double step = std::min(kStep, end - time);
-    if (next < sent_.size()) step = std::min(step, std::max(1e-6, sent_[next].effect.toSec() - time));
-    state.velocity = parameters_.driving.robot.follow(state.velocity, command, step);
-    state.pose = planning::Arc(state.pose, state.velocity).pose(step);
+    if (next < sent_.size()) step = std::min(step, std::max(kRounding, sent_[next].effect - time));
+    state = parameters_.driving.robot.advanced(state, command, step);
     time += step;
   }
   return state;
@@ -148,6 +146,13 @@ DriveReport Driver::stopping(const ros::Time& now, std::uint8_t status, const st
   if (odometry_ && !isOld(odometry_->header.stamp, now))
     if (const auto state = DriveInputs::state(*odometry_)) velocity = state->velocity;
   report.command = window_.brake(velocity, period());
+  return report;
+}
+
+DriveReport Driver::refusing(const ros::Time& now, std::uint8_t status, const std::string& message) const
+{
+  DriveReport report = stopping(now, status, message);
+  report.is_refusal = true;
   return report;
 }
 

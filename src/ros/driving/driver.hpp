@@ -23,6 +23,7 @@ struct DriveReport
   std::uint8_t status = DriveStatus::STALE;
   std::string message;
   double time_to_collision = 0.0;  ///< [s]
+  bool is_refusal = false;         ///< it stops because a message cannot be used
 };
 
 /// Keeps the newest of each input and makes a command of them at each tick.
@@ -47,7 +48,7 @@ public:
 private:
   struct Sent
   {
-    ros::Time effect;  // from which it holds
+    double effect = 0.0;  // [s] from which it holds: sums of ros::Time throw at the end of their range
     planning::Twist twist;
   };
 
@@ -56,8 +57,10 @@ private:
   std::string stale(const ros::Time& now) const;
   bool isOld(const ros::Time& stamp, const ros::Time& now) const;
   /// The robot at a later time, under the commands that were sent.
-  planning::RobotState predicted(planning::RobotState state, ros::Time from, const ros::Time& to) const;
+  planning::RobotState predicted(planning::RobotState state, double time, double end) const;
   double period() const { return 1.0 / parameters_.control_frequency; }
+  /// The same where the message says what is wrong with an input.
+  DriveReport refusing(const ros::Time& now, std::uint8_t status, const std::string& message) const;
   DriveReport stopping(const ros::Time& now, std::uint8_t status, const std::string& message) const;
 
   DynamicWindowParameters parameters_;

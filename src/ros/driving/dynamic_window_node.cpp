@@ -59,7 +59,7 @@ private:
   ros::Publisher command_;
   DriveReport last_;
   ros::Time last_now_;
-  ros::Time due_;  // the command that was made last
+  double due_ = 0.0;  // [s] the command that was made last
   ros::Timer timer_;
   std::unique_ptr<ros_common::DiagnosticsReporter> diagnostics_;
 };
@@ -120,6 +120,10 @@ void DynamicWindowNode::Implementation::tick()
   const auto begin = Clock::now();
   last_ = driver_->tick(now);
   times.decision = Clock::now() - begin;
+  if (last_.is_refusal) {
+    core_.statistics.rejected(last_.message);
+    core_.log.error("input", last_.message);
+  }
   command_.publish(toMessage(last_.command));
   outputs_->publish({last_, driver_->window()});
   core_.statistics.answered(times, Clock::now() - begin - times.decision);
@@ -130,11 +134,10 @@ void DynamicWindowNode::Implementation::scheduleNext(const ros::Time& now)
   // A clock that says 0.149999999 s means 0.15 s: a timer of roscpp's own would wait for the next tick.
   constexpr double kRounding = 1e-6;  // [s]
   const double period = 1.0 / core_.parameters->control_frequency;
-  const double late = now.toSec() - due_.toSec();
-  const bool keeps_time = std::abs(late) < 0.5 * period;
-  due_ = (keeps_time ? due_ : now) + ros::Duration(period);
+  const bool keeps_time = std::abs(now.toSec() - due_) < 0.5 * period;
+  due_ = (keeps_time ? due_ : now.toSec()) + period;
   timer_.stop();
-  timer_.setPeriod(ros::Duration(std::max(kRounding, due_.toSec() - now.toSec() - kRounding)));
+  timer_.setPeriod(ros::Duration(std::max(kRounding, due_ - now.toSec() - kRounding)));
   timer_.start();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "polygonal_perception/parameters/parameter_check.hpp"
+#include "polygonal_perception/ros/common/planar_pose.hpp"
 #include "polygonal_perception/ros/common/text_rules.hpp"
 
 namespace polygonal_perception::ros_mapping {
@@ -18,11 +19,8 @@ CellsPlace placeOf(const ObservedCells& cells)
   // A float's 0.05 is 0.05: the map's lattice is made of it.
   constexpr double kMicrometres = 1e6;
   place.geometry.resolution = std::round(kMicrometres * cells.info.resolution) / kMicrometres;
-  const auto& q = cells.info.origin.orientation;
-  // Of any rotation what turns about z.
-  const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
   place.pose = Eigen::Translation2d(cells.info.origin.position.x, cells.info.origin.position.y) *
-               Eigen::Rotation2Dd(yaw);
+               Eigen::Rotation2Dd(ros_common::yawOf(cells.info.origin.orientation));
   return place;
 }
 
@@ -54,11 +52,8 @@ std::string cellsError(const ObservedCells& cells)
              std::to_string(size) + ", info.width times info.height";
     }
   }
-  const auto& p = cells.info.origin.position;
-  const auto& q = cells.info.origin.orientation;
-  const double turn = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  constexpr double kFarthest = 1e6;  // [m] cells farther away have no numbers
-  if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(turn - 1.0) < 0.01))
+  const auto& origin = cells.info.origin;
+  if (!ros_common::isPlace(origin.position) || !ros_common::isRotation(origin.orientation))
     return "info.origin is no pose: accepted is a place within 1000 km and a unit quaternion";
   return {};
 }
